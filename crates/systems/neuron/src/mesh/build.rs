@@ -5,12 +5,13 @@ use super::cluster::{Layout, layout};
 use super::distance::{Net, wall_distance};
 use super::node::{NodeMesh, mesh_node};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
+use super::proof::CellProof;
 use super::sweep::RadialLength;
 use super::tube::{Tube, tubes};
 use crate::Skeleton;
 use glam::DVec3;
 use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
-use pompeiu_volume::{BoundaryFace, CellData, Faces, HexMesh, Jacobian, certify, scaled_jacobian, write_vtu};
+use pompeiu_volume::{BoundaryFace, CellData, Faces, HexMesh, write_vtu};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -340,14 +341,7 @@ fn finish(
     let mesh = HexMesh::new(positions, cells)?;
     let faces = Faces::new(&mesh)?;
     go_on(control)?;
-    let least = mesh
-        .cells()
-        .par_iter()
-        .map(|&cell| scaled_jacobian(&mesh.corners(cell)))
-        .reduce(|| f64::INFINITY, |a, b| if a < b { a } else { b });
-    let is_positive = |&cell: &[u32; 8]| certify(&mesh.corners(cell)) == Jacobian::Positive;
-    let certified = mesh.cells().par_iter().all(|cell| !control.is_stopped() && is_positive(cell));
-    go_on(control)?;
+    let proof = CellProof::of_cells(&mesh, control)?;
     let labels = labels(&faces, &caps, mesh.positions().len());
     let caps = parts.caps(skeleton, &caps);
     let wall = if options.measure {
@@ -358,7 +352,8 @@ fn finish(
             Net { points: [[a, b], [d, c]] }
         };
         let reference = options.reference.unwrap_or(skeleton);
-        wall_distance(reference, &ends, walls.map(patch).collect(), options.within, control)
+        let patches: Vec<_> = walls.map(patch).collect();
+        wall_distance(reference, &ends, &patches, options.within, control)
     } else {
         None
     };
@@ -366,8 +361,8 @@ fn finish(
     let report = MeshReport {
         vertices: mesh.positions().len(),
         hexahedra: mesh.cells().len(),
-        min_scaled_jacobian: least,
-        certified,
+        min_scaled_jacobian: proof.least,
+        certified: proof.certified,
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

@@ -129,7 +129,7 @@ fn cluster(
     let balls: Vec<(DVec3, f64)> = samples
         .iter()
         .filter(|&&s| is_ball(skeleton, s))
-        .map(|&s| (all[s].position, factor * all[s].radius))
+        .map(|&s| (all[s].position, all[s].radius))
         .collect();
     let centre = match balls.first() {
         Some(&(centre, _)) => centre,

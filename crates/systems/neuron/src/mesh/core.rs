@@ -102,3 +102,9 @@ pub(super) fn library(arms: usize) -> Vec<Core> {
     }
     cores
 }
+
+/// The complexes for a soma with a number of tubes, simplest first: with fewer quads, faces of the wall would be far inside of the ball.
+pub(super) fn library_of_balls(arms: usize) -> Vec<Core> {
+    let most = if arms > 20 { 4 } else { 3 };
+    (2..=most).map(Core::cube).collect()
+}

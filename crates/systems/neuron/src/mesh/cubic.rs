@@ -5,13 +5,13 @@ use super::build::{Cap, Parts, labels};
 use super::cubic_node::{CubicNode, START, bend};
 use super::distance::{Net, wall_distance};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
+use super::proof::CellProof;
 use super::section::Section;
 use crate::Skeleton;
 use glam::DVec3;
 use pompeiu_core::run::{Control, on_threads};
 use pompeiu_volume::{
-    BezierMesh, BoundaryFace, CellData, FACE_AXES, Faces, Jacobian, PointData, certify_bezier,
-    scaled_jacobian_bezier, volume, write_bezier_vtu, write_vtu,
+    BezierMesh, BoundaryFace, CellData, FACE_AXES, Faces, PointData, volume, write_bezier_vtu, write_vtu,
 };
 use rayon::prelude::*;
 
@@ -206,15 +206,7 @@ fn finish(
     let mesh = BezierMesh::new(positions, cells)?;
     let corners = mesh.corner_mesh()?;
     let faces = Faces::new(&corners)?;
-    let found: Vec<(f64, bool)> = (0..mesh.cells().len())
-        .into_par_iter()
-        .filter(|_| !control.is_stopped())
-        .map(|cell| {
-            let points = mesh.control(cell);
-            (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
-        })
-        .collect();
-    go_on(control)?;
+    let proof = CellProof::of_patches(&mesh, control)?;
     let labels = labels(&faces, &caps, mesh.points().len());
     let mut vertices: Vec<u32> = corners.cells().iter().flatten().copied().collect();
     vertices.sort_unstable();
@@ -224,8 +216,8 @@ fn finish(
     let wall = if options.measure {
         let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
         let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
-        let patches = walls.map(|(face, _)| patch(&mesh, face)).collect();
-        wall_distance(options.reference.unwrap_or(skeleton), &ends, patches, options.within, control)
+        let patches: Vec<_> = walls.map(|(face, _)| patch(&mesh, face)).collect();
+        wall_distance(options.reference.unwrap_or(skeleton), &ends, &patches, options.within, control)
     } else {
         None
     };
@@ -233,8 +225,8 @@ fn finish(
     let report = MeshReport {
         vertices: vertices.len(),
         hexahedra: mesh.cells().len(),
-        min_scaled_jacobian: found.iter().map(|f| f.0).fold(f64::INFINITY, f64::min),
-        certified: found.iter().all(|f| f.1),
+        min_scaled_jacobian: proof.least,
+        certified: proof.certified,
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

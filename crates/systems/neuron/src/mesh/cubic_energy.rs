@@ -18,8 +18,10 @@ pub(super) struct CubicEnergy<'e> {
     pub(super) shape: Shape,
     /// The wall, the positions on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
-    /// The size of the node, which makes the energy dimensionless.
+    /// The size of the node, which makes steps and distances dimensionless.
     pub(super) scale: f64,
+    /// The size of each cell, which makes its energy dimensionless: regularisation is relative to it.
+    pub(super) sizes: &'e [f64],
     pub(super) table: &'e [Row],
     /// May end the minimisation early.
     pub(super) control: &'e Control,
@@ -45,8 +47,8 @@ impl CubicEnergy<'_> {
         at.fill(DVec3::ZERO);
         let mut total = 0.0;
         let per_point = 1.0 / self.table.len().pow(3) as f64;
-        for cell in self.cells {
-            let points = cell.map(|v| positions[v as usize] / self.scale);
+        for (cell, &size) in self.cells.iter().zip(self.sizes) {
+            let points = cell.map(|v| positions[v as usize] / size);
             let mut slopes = slopes_at(&points, self.table);
             for columns in &mut slopes {
                 let (cost, by) = self.shape.cost(*columns);
@@ -58,7 +60,7 @@ impl CubicEnergy<'_> {
             }
             let by_point = gather(&slopes, self.table);
             for (&v, slope) in cell.iter().zip(by_point) {
-                at[v as usize] += slope * (per_point / self.scale);
+                at[v as usize] += slope * (per_point / size);
             }
         }
         if let Some((wall, places, weight)) = self.wall {
@@ -150,7 +152,9 @@ mod tests {
         for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 2 }] {
             let control = &Control::default();
             let (wall, scale, table) = (None, 0.8, table.as_slice());
-            let energy = CubicEnergy { cells: &cells, free: &free, shape, wall, scale, table, control };
+            let sizes = &[0.7];
+            let energy =
+                CubicEnergy { cells: &cells, free: &free, shape, wall, scale, sizes, table, control };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 4], vec![DVec3::ZERO; 4]);
             let mut scratch = vec![DVec3::ZERO; 64];
             assert!(energy.value(&positions, &mut gradient, &mut scratch).is_finite());

@@ -2,7 +2,7 @@
 
 use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
 use super::energy::Shape;
-use super::node::{Cluster, NodeMesh};
+use super::node::{Cluster, NodeMesh, size_of};
 use super::section::Section;
 use super::tube::Tube;
 use super::wall::Wall;
@@ -10,7 +10,8 @@ use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::interpolate_lattice;
 use pompeiu_volume::{
-    FACES, Jacobian, Refinement, certify_bezier, key_weights, place_of_64, scaled_jacobian_bezier,
+    CORNERS_OF_64, FACES, Jacobian, Refinement, certify_bezier, key_weights, place_of_64,
+    scaled_jacobian_bezier,
 };
 
 /// The blocks of a node as tricubic cells.
@@ -53,9 +54,15 @@ pub(super) fn bend(
         cells.push(std::array::from_fn(|k| lattice[k]));
     }
     let (fixed, on_wall) = boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
+    let sizes: Vec<f64> = if cluster.balls.len() == 1 {
+        let corners = |cell: &[u32; 64]| CORNERS_OF_64.map(|k| positions[cell[k] as usize]);
+        cells.iter().map(|cell| size_of(&corners(cell))).collect()
+    } else {
+        vec![scale; cells.len()]
+    };
     let mut found = None;
     for places in [PLACES.as_slice(), &MANY_PLACES] {
-        optimise((&cells, &fixed), (&wall, &on_wall), (scale, control), places, &mut positions);
+        optimise((&cells, &fixed), (&wall, &on_wall), (scale, &sizes, control), places, &mut positions);
         let (points, quality, certified) = controlled(&cells, &positions);
         if certified || found.is_none() {
             found = Some((points, quality));
@@ -151,7 +158,7 @@ fn boundary(
 fn optimise(
     (cells, fixed): (&[[u32; 64]], &[bool]),
     (wall, on_wall): (&Wall, &[u32]),
-    (scale, control): (f64, &Control),
+    (scale, sizes, control): (f64, &[f64], &Control),
     places: &[f64],
     positions: &mut [DVec3],
 ) {
@@ -169,7 +176,8 @@ fn optimise(
     project(positions);
     let table = lagrange_table(places);
     let shape = Shape::MeanRatio { epsilon: 0.02 };
-    let mut energy = CubicEnergy { cells, free: &free, shape, wall: None, scale, table: &table, control };
+    let mut energy =
+        CubicEnergy { cells, free: &free, shape, wall: None, scale, sizes, table: &table, control };
     for (epsilon, weight) in [(0.02, 300.0), (0.002, 3000.0), (1e-4, 30_000.0)] {
         energy.shape = Shape::MeanRatio { epsilon };
         energy.wall = Some((wall, on_wall, weight));

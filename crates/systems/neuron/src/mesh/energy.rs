@@ -1,6 +1,6 @@
 //! The shape energy of cells, and its minimisation.
 
-use super::wall::Wall;
+use super::wall::{Middle, Wall};
 use glam::DVec3;
 use pompeiu_core::run::Control;
 
@@ -14,6 +14,8 @@ pub(super) struct Energy<'e> {
     pub(super) shape: Shape,
     /// The wall, the vertices on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
+    /// Middles of faces and edges on the wall, and the weight of their distance from it.
+    pub(super) middles: (&'e [Middle], f64),
     /// The size of the node, which makes steps and distances dimensionless.
     pub(super) scale: f64,
     /// The size of each cell, which makes its energy dimensionless: regularisation is relative to it.
@@ -131,6 +133,8 @@ impl Energy<'_> {
         }
         if let Some((wall, vertices, weight)) = self.wall {
             wall.add_cost((vertices, weight), self.scale, positions, &mut total, at);
+            let (middles, weight) = self.middles;
+            wall.add_middles(middles, weight, positions, &mut total, at);
         }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];
@@ -306,6 +310,7 @@ mod tests {
                 places: &[0.0, 0.5, 1.0],
                 shape,
                 wall: Some((&wall, &[6, 2], 3.0)),
+                middles: (&[Middle { vertices: [1, 2, 6, 5], radius: 0.5 }], 2.0),
                 scale: 0.8,
                 sizes: &[0.7],
                 control: &Control::default(),

@@ -2,13 +2,11 @@
 
 use super::build::{Cap, NeuronMesh};
 use super::cubic::CubicMesh;
-use super::options::{MeshError, MeshReport, go_on};
+use super::options::{MeshError, MeshReport};
+use super::proof::CellProof;
 use glam::DVec3;
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_volume::{
-    BezierMesh, Faces, HexMesh, Jacobian, certify, certify_bezier, scaled_jacobian, scaled_jacobian_bezier,
-};
-use rayon::prelude::*;
+use pompeiu_volume::{BezierMesh, Faces, HexMesh};
 use std::collections::VecDeque;
 
 /// A side of the bounding box of a mesh.
@@ -161,20 +159,16 @@ fn at_labels(mesh: &HexMesh, faces: &Faces, labels: &[f64]) -> Result<Vec<i64>, 
     Ok(faces.boundary().iter().zip(&counted).map(decide).collect())
 }
 
-fn report(vertices: usize, found: &[(f64, bool)]) -> Result<MeshReport, MeshError> {
-    let least = found.iter().enumerate().min_by(|a, b| a.1.0.total_cmp(&b.1.0));
-    let (cell, quality) = least.map_or((0, 0.0), |(cell, f)| (cell, f.0));
-    if found.is_empty() {
-        return Err(MeshError::NoCell);
-    }
+fn report(vertices: usize, hexahedra: usize, proof: &CellProof) -> Result<MeshReport, MeshError> {
+    let (cell, quality) = proof.worst;
     if quality <= 0.0 {
         return Err(MeshError::Folded { cell, quality });
     }
     Ok(MeshReport {
         vertices,
-        hexahedra: found.len(),
-        min_scaled_jacobian: quality,
-        certified: found.iter().all(|f| f.1),
+        hexahedra,
+        min_scaled_jacobian: proof.least,
+        certified: proof.certified,
         wall: None,
         left_out: Vec::new(),
         moved: Vec::new(),
@@ -189,17 +183,8 @@ impl NeuronMesh {
     /// [`MeshError::Volume`] if the mesh does not conform, [`MeshError::Stopped`].
     pub fn from_hexahedra(mesh: HexMesh, at: Ends<'_>, limits: &Limits) -> Result<Self, MeshError> {
         let control = Control::start(limits);
-        let found: Vec<(f64, bool)> = mesh
-            .cells()
-            .par_iter()
-            .filter(|_| !control.is_stopped())
-            .map(|&cell| {
-                let corners = mesh.corners(cell);
-                (scaled_jacobian(&corners), certify(&corners) == Jacobian::Positive)
-            })
-            .collect();
-        go_on(&control)?;
-        let report = report(mesh.positions().len(), &found)?;
+        let proof = CellProof::of_cells(&mesh, &control)?;
+        let report = report(mesh.positions().len(), mesh.cells().len(), &proof)?;
         let faces = Faces::new(&mesh)?;
         let (labels, caps) = ends(&mesh, &faces, at)?;
         let parts = vec![0; mesh.cells().len()];
@@ -235,16 +220,8 @@ impl CubicMesh {
 fn patches(mesh: &HexMesh, limits: &Limits) -> Result<(BezierMesh, Faces, MeshReport), MeshError> {
     let control = Control::start(limits);
     let cubic = BezierMesh::from_trilinear(mesh);
-    let found: Vec<(f64, bool)> = (0..mesh.cells().len())
-        .into_par_iter()
-        .filter(|_| !control.is_stopped())
-        .map(|cell| {
-            let points = cubic.control(cell);
-            (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
-        })
-        .collect();
-    go_on(&control)?;
-    let report = report(mesh.positions().len(), &found)?;
+    let proof = CellProof::of_patches(&cubic, &control)?;
+    let report = report(mesh.positions().len(), mesh.cells().len(), &proof)?;
     let faces = Faces::new(&cubic.corner_mesh()?)?;
     Ok((cubic, faces, report))
 }

@@ -18,10 +18,12 @@ mod energy;
 mod import;
 mod node;
 mod options;
+mod proof;
 mod section;
 mod sweep;
 mod tube;
 mod wall;
+mod warp;
 
 pub(crate) use build::concentrations;
 pub use build::{Cap, NeuronMesh, mesh_neuron};

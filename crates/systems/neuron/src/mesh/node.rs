@@ -2,14 +2,15 @@
 //! them.
 
 use super::assign::{Assignment, assignments};
-use super::core::{Core, library};
+use super::core::{Core, library, library_of_balls};
 use super::energy::{Energy, Shape};
 use super::tube::{End, Tube};
-use super::wall::Wall;
+use super::wall::{Middle, Wall};
+use super::warp::{Ray, turned};
 use crate::RoundCone;
 use glam::DVec3;
 use pompeiu_core::run::Control;
-use pompeiu_volume::{Refinement, key_weights as weights, scaled_jacobian};
+use pompeiu_volume::{Refinement, key_weights as weights, scaled_jacobian, scaled_jacobian_bound};
 
 /// Half the diagonal of the core square of a section, in radii.
 pub(super) const CORE: f64 = 0.55;
@@ -31,6 +32,15 @@ pub(super) struct Cluster {
 
 /// Distance of the ring of a section from all other tubes, in radii.
 const CLEAR: f64 = 0.15;
+
+/// Width of the blend of the wall, over the least radius of the arms.
+const BLEND: f64 = 0.05;
+
+/// Depth inside a ball from which on a cone is not part of the wall, in widths of the blend: it would change the wall by e⁻²⁰.
+const DEEP: f64 = 20.0;
+
+/// Weight of the squared distance of middles of faces and edges from the wall, in radii, beside the energy of one cell.
+const MIDDLES: f64 = 50.0;
 
 /// Number of points checked on a ring.
 const RING: usize = 12;
@@ -99,11 +109,22 @@ impl Cluster {
             })
             .collect();
         groups.extend(self.inside.iter().map(|&tube| tubes[tube].cones.clone()));
-        groups.extend(self.balls.iter().map(|&(c, r)| vec![RoundCone { ends: [c, c], radii: [r, r] }]));
         let least =
             self.ends.iter().zip(reach).map(|(end, s)| end.at(tubes, *s).1).fold(f64::INFINITY, f64::min);
-        let blend = if self.balls.is_empty() { 0.08 } else { 0.3 };
-        Wall { groups, blend: blend * least }
+        let blend = BLEND * least;
+        // Deep inside a ball, cones do not change the wall.
+        let is_deep = |cone: &RoundCone| {
+            let in_ball = |(c, r): &(DVec3, f64)| {
+                (0..2).all(|k| cone.ends[k].distance(*c) + cone.radii[k] < r - DEEP * blend)
+            };
+            self.balls.iter().any(in_ball)
+        };
+        for group in &mut groups {
+            group.retain(|cone| !is_deep(cone));
+        }
+        groups.retain(|group| !group.is_empty());
+        groups.extend(self.balls.iter().map(|&(c, r)| vec![RoundCone { ends: [c, c], radii: [r, r] }]));
+        Wall { groups, blend }
     }
 }
 
@@ -135,6 +156,16 @@ pub(super) struct NodeMesh {
 /// No further assignment is tried once this quality is reached.
 const GOOD: f64 = 0.35;
 
+/// Parameters along each axis of a cell at which its shape is measured, and more of them.
+const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+const MANY_PLACES: [f64; 6] = [0.0, 0.1, 0.35, 0.65, 0.9, 1.0];
+
+/// Difference of the least scaled Jacobian and that at points from which on it is measured at more points.
+const BETWEEN: f64 = 0.01;
+
+/// Above this quality, the mesh that follows the wall more closely is kept.
+const ENOUGH: f64 = 0.3;
+
 /// Largest number of assignments tried for a node.
 const MOST_TRIES: usize = 6;
 
@@ -146,9 +177,28 @@ pub(super) fn mesh_node(
     parts: usize,
     control: &Control,
 ) -> Option<NodeMesh> {
+    let best = try_node(cluster, tubes, reach, (parts, MIDDLES), control);
+    if control.is_stopped() || best.as_ref().is_some_and(|best| best.quality >= GOOD) {
+        return best;
+    }
+    // Cells in narrow corners need the freedom to cut them.
+    let other = try_node(cluster, tubes, reach, (parts, 0.0), control);
+    let quality = |node: &Option<NodeMesh>| node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
+    if quality(&best) > ENOUGH || quality(&best) >= quality(&other) { best } else { other }
+}
+
+/// The same with a weight of the middles of faces and edges.
+fn try_node(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    reach: &[f64],
+    (parts, following): (usize, f64),
+    control: &Control,
+) -> Option<NodeMesh> {
     let wall = cluster.wall(tubes, reach);
     let mut best: Option<NodeMesh> = None;
-    let cores = library(cluster.ends.len());
+    let arms = cluster.ends.len();
+    let cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
     for (nth, centre) in centres(cluster, tubes, reach, &wall).into_iter().enumerate() {
         let directions: Vec<DVec3> = cluster
             .ends
@@ -173,7 +223,8 @@ pub(super) fn mesh_node(
                 return best;
             }
             let core = &cores[index];
-            let mesh = build(cluster, tubes, reach, &wall, centre, core, &assignment, parts, control);
+            let mesh =
+                build(cluster, tubes, reach, &wall, centre, core, &assignment, (parts, following), control);
             let is_better = best.as_ref().is_none_or(|best| mesh.quality > best.quality);
             if is_better {
                 best = Some(mesh);
@@ -231,14 +282,27 @@ fn build(
     centre: DVec3,
     core: &Core,
     assignment: &Assignment,
-    parts: usize,
+    (parts, following): (usize, f64),
     control: &Control,
 ) -> NodeMesh {
     let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
     let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
     let size = core.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let mut corners: Vec<DVec3> =
-        core.vertices.iter().map(|p| centre + assignment.rotation * (*p * (half / size))).collect();
+        core.vertices.iter().map(|p| assignment.rotation * (*p * (half / size))).collect();
+    let ball = (cluster.balls.len() == 1).then(|| cluster.balls[0]);
+    if let Some((_, around)) = ball {
+        let ray = |((end, &s), &quad): ((&End, &f64), &usize)| {
+            let (at, radius) = end.at(tubes, s);
+            let rim = libm::asin((radius / around).clamp(0.0, 1.0));
+            Ray { direction: (at - centre).normalize_or(DVec3::X), rim, quad }
+        };
+        let rays: Vec<Ray> = cluster.ends.iter().zip(reach).zip(&assignment.quads).map(ray).collect();
+        corners = turned(core, &corners, &rays);
+    }
+    for corner in &mut corners {
+        *corner += centre;
+    }
     let mut blocks: Vec<[u32; 8]> = core.blocks.iter().map(|b| b.map(|v| v as u32)).collect();
     // Every vertex on the core's boundary has a counterpart on the wall.
     let mut on_wall = vec![None; corners.len()];
@@ -251,7 +315,6 @@ fn build(
     }
     let outer_of = |v: usize, on_wall: &[Option<u32>]| on_wall[v].unwrap_or(v as u32);
     let mut sections = Vec::new();
-    let ball = (cluster.balls.len() == 1).then(|| cluster.balls[0]);
     for ((end, &s), &quad) in cluster.ends.iter().zip(reach).zip(&assignment.quads) {
         let (at, radius) = end.at(tubes, s);
         let axis = end.tangent(tubes, s);
@@ -265,10 +328,17 @@ fn build(
         };
         let distance = start.iter().copied().sum::<DVec3>().distance(4.0 * at) / 4.0;
         let layers = ((distance / (1.5 * radius)).round() as usize).clamp(1, 12);
+        let shares = match ball {
+            // On the ball, the last layers follow the wall into the concave corner where the tube begins.
+            Some(_) => {
+                let way = quad.map(|v| corners[outer_of(v, &on_wall) as usize].distance(at) - radius);
+                graded(way.iter().sum::<f64>() / 4.0, layers, ON_BALL * radius)
+            }
+            None => (1..=layers).map(|k| k as f64 / layers as f64).collect(),
+        };
         let mut inner = quad.map(|v| v as u32);
         let mut outer = quad.map(|v| outer_of(v, &on_wall));
-        for layer in 1..=layers {
-            let t = layer as f64 / layers as f64;
+        for (layer, &t) in shares.iter().enumerate() {
             let mut next_inner = [0; 4];
             let mut next_outer = [0; 4];
             let target: [DVec3; 4] = [0, 1, 2, 3].map(|k| at + direction(k) * (CORE * radius));
@@ -281,7 +351,7 @@ fn build(
                 let out = (ring[k] - middle).normalize_or(direction(k));
                 let rim = at + direction(k) * radius;
                 corners.push(match ball {
-                    _ if layer == layers => rim,
+                    _ if layer + 1 == shares.len() => rim,
                     // From the core's corner to the tube along the ball: a ray across a thin tube would leave in another one.
                     Some((ball, _)) => {
                         let [from, to] = [start[k], rim].map(|p| (p - ball).normalize_or(out));
@@ -313,18 +383,55 @@ fn build(
         .collect();
     let mut positions: Vec<DVec3> =
         refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
-    let kinds = kinds(cluster, tubes, &sections, &refinement, &cells, &mut positions);
+    let outer = outer_faces(&cells);
+    let kinds = kinds(cluster, tubes, &sections, &refinement, &outer, &mut positions);
     let sizes: Vec<f64> = if ball.is_some() {
         cells.iter().map(|cell| size_of(&cell.map(|v| positions[v as usize]))).collect()
     } else {
         vec![depth; cells.len()]
     };
-    let quality = optimise((&cells, &kinds), wall, (depth, &sizes), &mut positions, control);
+    let quality =
+        optimise((&cells, &kinds, &outer), wall, (depth, &sizes, following), &mut positions, control);
     NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality }
 }
 
+/// Length of a layer of an arm on a ball, in radii of the arm.
+const ON_BALL: f64 = 0.5;
+
+/// Largest ratio of two consecutive layers.
+const GRADING: f64 = 1.8;
+
+/// Shares of a length at which layers end. They are equal, unless that makes the last one longer than wanted: then they shrink in a constant
+/// ratio, and there are more of them where the ratio would be too large.
+fn graded(length: f64, layers: usize, last: f64) -> Vec<f64> {
+    let total = |ratio: f64, count: usize| (0..count).map(|k| libm::pow(ratio, k as f64)).sum::<f64>() * last;
+    let mut count = layers;
+    while total(GRADING, count) < length {
+        count += 1;
+    }
+    let (mut low, mut high) = (1.0, GRADING);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if total(middle, count) < length { low = middle } else { high = middle }
+    }
+    let steps: Vec<f64> = (0..count).rev().map(|k| libm::pow(high, k as f64)).collect();
+    let sum: f64 = steps.iter().sum();
+    let mut at = 0.0;
+    let mut found: Vec<f64> = steps
+        .iter()
+        .map(|step| {
+            at += step / sum;
+            at
+        })
+        .collect();
+    if let Some(end) = found.last_mut() {
+        *end = 1.0;
+    }
+    found
+}
+
 /// The size of a cell: the geometric mean of its mean edges along the three axes, folded or not.
-fn size_of(corners: &[DVec3; 8]) -> f64 {
+pub(super) fn size_of(corners: &[DVec3; 8]) -> f64 {
     let edges = [
         [[0, 1], [3, 2], [4, 5], [7, 6]],
         [[0, 3], [1, 2], [4, 7], [5, 6]],
@@ -346,7 +453,7 @@ pub(super) fn layer_of(blocks: &mut Vec<[u32; 8]>, below: [[u32; 4]; 2], above: 
 }
 
 /// The direction in a section whose corners at 45°, 135°, … are closest to those of a quad.
-fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
+pub(super) fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
     let (e1, e2) = axis.any_orthonormal_pair();
     // The orientation of the pair relative to the axis.
     let e2 = if e1.cross(e2).dot(axis) < 0.0 { -e2 } else { e2 };
@@ -397,31 +504,52 @@ enum Kind {
     Inner,
 }
 
+/// The faces of a single cell.
+fn outer_faces(cells: &[[u32; 8]]) -> Vec<[u32; 4]> {
+    let mut faces: Vec<([u32; 4], [u32; 4])> = cells
+        .iter()
+        .flat_map(|cell| {
+            pompeiu_volume::FACES.map(|face| {
+                let face = face.map(|k| cell[k]);
+                let mut key = face;
+                key.sort_unstable();
+                (key, face)
+            })
+        })
+        .collect();
+    faces.sort_unstable();
+    faces.chunk_by(|a, b| a.0 == b.0).filter(|run| run.len() == 1).map(|run| run[0].1).collect()
+}
+
+/// The middles of wall faces and of their edges, of those that have a vertex that may move.
+fn middles(wall: &Wall, outer: &[[u32; 4]], kinds: &[Kind], positions: &[DVec3]) -> Vec<Middle> {
+    let edges = |face: &[u32; 4]| {
+        let [a, b, c, d] = *face;
+        [[a, b], [b, c], [c, d], [d, a]].map(|[a, b]| if a < b { [a, a, b, b] } else { [b, b, a, a] })
+    };
+    let mut all: Vec<[u32; 4]> = outer.iter().flat_map(edges).collect();
+    all.sort_unstable();
+    all.dedup();
+    all.extend(outer);
+    all.retain(|vertices| vertices.iter().any(|v| kinds[*v as usize] != Kind::Fixed));
+    let middle = |vertices: [u32; 4]| {
+        let radius = wall.radius(vertices.iter().map(|v| positions[*v as usize]).sum::<DVec3>() / 4.0);
+        Middle { vertices, radius }
+    };
+    all.into_iter().map(middle).collect()
+}
+
 /// Positions the vertices of the sections, and determines how each vertex may move.
 fn kinds(
     cluster: &Cluster,
     tubes: &[Tube],
     sections: &[Section],
     refinement: &Refinement,
-    cells: &[[u32; 8]],
+    outer: &[[u32; 4]],
     positions: &mut [DVec3],
 ) -> Vec<Kind> {
     let mut kinds = vec![Kind::Inner; positions.len()];
-    // Faces of a single cell lie on the boundary.
-    let mut faces: Vec<([u32; 4], bool)> = cells
-        .iter()
-        .flat_map(|cell| {
-            pompeiu_volume::FACES.map(|face| {
-                let mut key = face.map(|k| cell[k]);
-                key.sort_unstable();
-                (key, true)
-            })
-        })
-        .collect();
-    faces.sort_unstable();
-    for run in faces.chunk_by(|a, b| a.0 == b.0).filter(|run| run.len() == 1) {
-        run[0].0.iter().for_each(|&v| kinds[v as usize] = Kind::Wall);
-    }
+    outer.iter().flatten().for_each(|&v| kinds[v as usize] = Kind::Wall);
     for (section, end) in sections.iter().zip(&cluster.ends) {
         let (at, radius) = end.at(tubes, section.at);
         let axis = end.tangent(tubes, section.at);
@@ -450,9 +578,9 @@ fn kinds(
 
 /// Optimises the vertices; returns the least scaled Jacobian.
 fn optimise(
-    (cells, kinds): (&[[u32; 8]], &[Kind]),
+    (cells, kinds, outer): (&[[u32; 8]], &[Kind], &[[u32; 4]]),
     wall: &Wall,
-    (scale, sizes): (f64, &[f64]),
+    (scale, sizes, following): (f64, &[f64], f64),
     positions: &mut [DVec3],
     control: &Control,
 ) -> f64 {
@@ -471,6 +599,7 @@ fn optimise(
         places: &[0.0, 1.0],
         shape: Shape::MeanRatio { epsilon: 0.1 },
         wall: None,
+        middles: (&[], following),
         scale,
         sizes,
         control,
@@ -480,13 +609,15 @@ fn optimise(
         energy.shape =
             Shape::MeanRatio { epsilon: if least > 0.0 { 1e-9 } else { (0.1 * -least).clamp(1e-4, 0.2) } };
         energy.wall = Some((wall, &on_wall, weight));
+        let found = middles(wall, outer, kinds, positions);
+        let energy = Energy { middles: (&found, following), ..energy };
         energy.minimise(positions, if round == 0 { 60 } else { 40 });
     }
     let best = |positions: &[DVec3]| quality(cells, positions);
     for &v in &on_wall {
         positions[v as usize] = wall.project(positions[v as usize]);
     }
-    energy.places = &[0.0, 0.5, 1.0];
+    energy.places = &PLACES;
     let folded = best(positions) <= 0.0;
     if folded {
         energy.wall = None;
@@ -496,8 +627,16 @@ fn optimise(
             energy.minimise(positions, 40);
         }
     }
-    energy.wall = Some((wall, &on_wall, 1e5));
-    for power in [2, 4] {
+    let found = middles(wall, outer, kinds, positions);
+    let mut energy = Energy { wall: Some((wall, &on_wall, 1e5)), middles: (&found, following), ..energy };
+    for (power, places) in [(2, &PLACES[..]), (4, &PLACES), (4, &MANY_PLACES)] {
+        // Only where the least value is between the points.
+        if places.len() == MANY_PLACES.len()
+            && best(positions) > quality_at_points(cells, positions) - BETWEEN
+        {
+            break;
+        }
+        energy.places = places;
         // Tangential steps along the wall, then exactly onto it, unless that reduces quality.
         energy.shape = Shape::Scaled { power };
         let before = positions.to_vec();
@@ -521,7 +660,15 @@ fn optimise(
     best(positions)
 }
 
+/// The least scaled Jacobian over all cells, but for the gap of its bounds.
 fn quality(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
+    let at_points = quality_at_points(cells, positions);
+    let bound = |cell: &[u32; 8]| scaled_jacobian_bound(&cell.map(|v| positions[v as usize]), at_points);
+    if at_points > 0.0 { cells.iter().map(bound).fold(at_points, f64::min) } else { at_points }
+}
+
+/// The least scaled Jacobian at 27 points of each cell.
+fn quality_at_points(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
     cells
         .iter()
         .map(|cell| scaled_jacobian(&cell.map(|v| positions[v as usize])))

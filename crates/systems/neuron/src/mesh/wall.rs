@@ -3,6 +3,14 @@
 use crate::RoundCone;
 use glam::DVec3;
 
+/// The middle of a face on the wall, or of an edge, whose vertices are listed twice.
+#[derive(Clone, Copy)]
+pub(super) struct Middle {
+    pub(super) vertices: [u32; 4],
+    /// The radius of the cone next to it.
+    pub(super) radius: f64,
+}
+
 /// The smooth union of groups of cones.
 pub(super) struct Wall {
     /// The cones of each tube, and balls as cones without length.
@@ -31,6 +39,9 @@ impl Wall {
         }
         let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
         for (distance, centre) in found {
+            if distance - nearest > FAR * self.blend {
+                continue;
+            }
             let weight = libm::exp((nearest - distance) / self.blend);
             sum += weight;
             gradient += weight * (p - centre).normalize_or_zero();
@@ -54,6 +65,40 @@ impl Wall {
             *energy += weight * relative * relative;
             gradient[v as usize] += slope * (2.0 * weight * relative / scale);
         }
+    }
+
+    /// Adds the penalty for middles of edges and faces off the wall, so that vertices move into concave corners: for each one `weight`
+    /// times the squared distance over its radius.
+    pub(super) fn add_middles(
+        &self,
+        middles: &[Middle],
+        weight: f64,
+        positions: &[DVec3],
+        energy: &mut f64,
+        gradient: &mut [DVec3],
+    ) {
+        for Middle { vertices: [a, b, c, d], radius } in middles {
+            let corners = [a, b, c, d].map(|v| *v as usize);
+            let (distance, slope) = self.distance(corners.iter().map(|v| positions[*v]).sum::<DVec3>() / 4.0);
+            let relative = distance / radius;
+            *energy += weight * relative * relative;
+            let slope = slope * (0.5 * weight * relative / radius);
+            for v in corners {
+                gradient[v] += slope;
+            }
+        }
+    }
+
+    /// The radius of the cone next to a point.
+    pub(super) fn radius(&self, p: DVec3) -> f64 {
+        let mut best = (f64::INFINITY, 0.0);
+        for cone in self.groups.iter().flatten() {
+            let (distance, t) = cone.distance(p);
+            if distance < best.0 {
+                best = (distance, cone.radii[0] + (cone.radii[1] - cone.radii[0]) * t);
+            }
+        }
+        best.1
     }
 
     /// Where a ray from inside intersects the wall.
@@ -93,6 +138,8 @@ impl Wall {
     }
 }
 
+/// From this distance beyond the nearest group on, in widths of the blend, another one adds less than the rounding of the sum.
+const FAR: f64 = 40.0;
 /// Largest number of steps, of a tenth of the radius, along a ray.
 const MOST_STEPS: usize = 200;
 /// Halvings of the step that crosses the wall.

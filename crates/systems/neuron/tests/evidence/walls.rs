@@ -161,7 +161,7 @@ fn try_points(text: &str, quads: &[[DVec3; 4]], wall: &WallDistance, is_deep: bo
     assert!(found.lower <= found.upper && found.lower_radii <= found.upper_radii, "{found:?}");
     let (triangles, off) = triangles(quads);
     let mut most = [0.0_f64; 2];
-    for (p, radius) in surface(&cones, &skeleton, &mut random, 300) {
+    for (p, radius) in surface(&cones, &skeleton, &mut random, 1200) {
         let distance =
             triangles.iter().map(|t| distance_from_triangle(p, *t)).fold(f64::INFINITY, f64::min) - off;
         most = [most[0].max(distance), most[1].max(distance / radius)];
@@ -240,4 +240,37 @@ fn smoothed_skeletons_are_compared_with_the_file() {
     assert_eq!(wall.is_within(), Some(false), "{wall:?}");
     let itself = mesh_neuron(&prepared.skeleton, &MeshOptions::default()).unwrap().report.wall.unwrap();
     assert_eq!(itself.is_within(), Some(true), "{itself:?}");
+}
+
+/// A ball of radius 10 whose dendrites, thick and thin in turn, leave it along a spiral.
+fn soma(ratios: [f64; 2], count: usize) -> Skeleton {
+    let mut text = String::from("1 1 0 0 0 10 -1\n");
+    for k in 0..count {
+        let z = 1.0 - (2 * k + 1) as f64 / count as f64;
+        let (sine, cosine) = libm::sincos(2.4 * k as f64);
+        let across = (1.0 - z * z).sqrt();
+        let direction = DVec3::new(across * cosine, across * sine, z);
+        let radius = 10.0 / ratios[k % 2];
+        for step in 0..3 {
+            let p = direction * (10.0 + radius + 4.0 * radius * f64::from(step));
+            let id = 2 + 3 * k + step as usize;
+            let parent = if step == 0 { 1 } else { id - 1 };
+            let _ = writeln!(text, "{id} 3 {} {} {} {radius} {parent}", p.x, p.y, p.z);
+        }
+    }
+    skeleton(&text)
+}
+
+#[test]
+fn somata_stay_within_the_default() {
+    for (ratios, count) in [([5.0, 5.0], 1), ([20.0, 20.0], 3), ([4.0, 16.0], 4), ([10.0, 14.0], 9)] {
+        let found = mesh_neuron(&soma(ratios, count), &MeshOptions::default()).unwrap().report;
+        let wall = found.wall.unwrap();
+        assert!(found.certified && wall.is_within() == Some(true), "{ratios:?} {count}: {wall:?}");
+        assert!(found.min_scaled_jacobian > 0.25, "{ratios:?} {count}: {}", found.min_scaled_jacobian);
+    }
+    let found = cubic_neuron(&soma([10.0, 6.0], 2), &MeshOptions::default()).unwrap().report;
+    let wall = found.wall.unwrap();
+    assert!(found.certified && wall.is_within() == Some(true), "{wall:?}");
+    assert!(wall.in_radii()[1] < 0.1, "{wall:?}");
 }

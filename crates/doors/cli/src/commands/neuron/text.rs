@@ -118,7 +118,10 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
             "mesh",
             &format!("{} vertices, {} hexahedra", number(mesh.vertices), number(mesh.hexahedra)),
         );
-        page.row("quality", &format!("scaled Jacobian at least {:.3}", mesh.min_scaled_jacobian));
+        page.row(
+            "quality",
+            &format!("scaled Jacobian at least {:.3}", rounded_down(mesh.min_scaled_jacobian)),
+        );
         if let Some(wall) = &mesh.wall {
             add_wall(&mut page, wall);
         }
@@ -196,4 +199,9 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         if stages.is_empty() { stages } else { format!("skeleton {}, {stages}", span(timing.skeleton)) };
     page.row("time", &format!("{stages}total {}", time(answer.timing.total)));
     page.into_text()
+}
+
+/// A lower bound with three digits is one, too.
+fn rounded_down(bound: f64) -> f64 {
+    (bound * 1000.0).floor() / 1000.0
 }

@@ -37,7 +37,7 @@ const MOST_PARTS: f64 = 32.0;
 pub(super) fn wall_distance<const S: usize>(
     skeleton: &Skeleton,
     ends: &[(i64, DVec3)],
-    wall: Vec<Net<S>>,
+    wall: &[Net<S>],
     within: f64,
     control: &Control,
 ) -> Option<WallDistance> {
@@ -48,7 +48,7 @@ pub(super) fn wall_distance<const S: usize>(
     let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
     let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, ends));
     let from_wall = enclose(wall, within, control, |net| Some(patches::bounds(&solid, net)));
-    let from_cones = enclose(surface.pieces(), within, control, |piece| surface.bounds(piece));
+    let from_cones = enclose(&surface.pieces(), within, control, |piece| surface.bounds(piece));
     let samples = skeleton.samples();
     let directed = |found: &Enclosure| DirectedDistance {
         lower: found.lower[0],
@@ -78,8 +78,10 @@ pub(super) fn wall_distance<const S: usize>(
 
 /// Triangles that stand for a patch.
 fn facets<const S: usize>(solid: &Solid, net: &Net<S>) -> Vec<Facet> {
-    let nearest = solid.nearest(net.at(0.5, 0.5));
-    let radius = solid.cones[nearest.cone].radius(nearest.t);
+    let centre = net.at(0.5, 0.5);
+    let reach = net.points.as_flattened().iter().map(|p| p.distance(centre)).fold(0.0, f64::max);
+    // Where a thin branch leaves a thick one, the radius is that of the thin one.
+    let radius = solid.least_radius(centre, solid.nearest(centre).upper, reach);
     let bend = net.bend() / 8.0;
     let n = (bend / (FACETED * radius)).sqrt().ceil().clamp(1.0, MOST_PARTS);
     let off = bend / (n * n);

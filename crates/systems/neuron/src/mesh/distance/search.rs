@@ -16,8 +16,12 @@ const MOST_LEVELS: usize = 14;
 /// Patches that are divided together.
 const BATCH: usize = 4096;
 
-/// Most patches that are evaluated, for each one in the beginning.
-const MOST_PER_PATCH: usize = 3000;
+/// The same once a distance is known to be more than is tolerated: what is left is its width.
+const LEVELS_BEYOND: usize = 7;
+
+/// Most patches that are evaluated: so many, and so many for each one in the beginning.
+const LEAST_BUDGET: usize = 1_000_000;
+const MOST_PER_PATCH: usize = 100;
 
 /// What is known of the distances of the points of a patch: in micrometres, and in radii.
 #[derive(Clone, Copy)]
@@ -31,7 +35,7 @@ pub(super) struct Bounds {
 }
 
 /// A part of a surface.
-pub(super) trait Patch: Sized + Send + Sync {
+pub(super) trait Patch: Copy + Send + Sync {
     /// Parts that cover it.
     fn divided(&self) -> [Self; 4];
 }
@@ -62,6 +66,11 @@ impl Enclosure {
         }
     }
 
+    /// Most divisions of a patch along each direction.
+    fn most_levels(&self, within: f64) -> usize {
+        if self.lower[1] > within { LEVELS_BEYOND } else { MOST_LEVELS }
+    }
+
     /// Whether a patch has to be divided to narrow the enclosure, or to decide whether distances are tolerated.
     fn is_open(&self, bounds: &Bounds, within: f64) -> bool {
         let width = if self.lower[1] > within { (RELATIVE_WIDTH * self.lower[1]).max(WIDTH) } else { WIDTH };
@@ -75,38 +84,46 @@ impl Enclosure {
 }
 
 /// Encloses the greatest distance of the points of patches. `evaluate` bounds those of one patch; `None` if it is not part of the
-/// surface. When the computation is stopped, or after too many patches, the enclosure is as wide as it is then.
+/// surface. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
 ///
 /// The result does not depend on the number of threads.
 pub(super) fn enclose<P: Patch>(
-    patches: Vec<P>,
+    patches: &[P],
     within: f64,
     control: &Control,
     evaluate: impl Fn(&P) -> Option<Bounds> + Sync,
 ) -> Enclosure {
     let mut found = Enclosure::default();
-    let mut left = patches.len().saturating_mul(MOST_PER_PATCH);
-    let mut patches = patches.into_iter().peekable();
-    while patches.peek().is_some() {
-        let mut active: Vec<P> = patches.by_ref().take(BATCH).collect();
-        for level in 0..=MOST_LEVELS {
+    // Lower bounds first, whichever patch they are of: the others need not be divided for what these decide.
+    for batch in patches.chunks(BATCH) {
+        if control.is_stopped() {
+            return Enclosure { upper: [f64::INFINITY; 2], ..found };
+        }
+        let bounds: Vec<Option<Bounds>> = batch.par_iter().map(&evaluate).collect();
+        bounds.iter().flatten().for_each(|bounds| found.add(bounds, within));
+    }
+    let mut left = LEAST_BUDGET.saturating_add(patches.len().saturating_mul(MOST_PER_PATCH));
+    // Parts of a batch are divided before the next one is begun: few are kept at a time.
+    let mut stack: Vec<(usize, Vec<P>)> = Vec::new();
+    for batch in patches.chunks(BATCH) {
+        stack.push((0, batch.to_vec()));
+        while let Some((level, active)) = stack.pop() {
+            if control.is_stopped() {
+                return Enclosure { upper: [f64::INFINITY; 2], ..found };
+            }
             let bounds: Vec<Option<Bounds>> = active.par_iter().map(&evaluate).collect();
             left = left.saturating_sub(active.len());
             bounds.iter().flatten().for_each(|bounds| found.add(bounds, within));
-            let is_last = level == MOST_LEVELS || left == 0 || control.is_stopped();
-            let mut divided = Vec::new();
+            let mut divided: Vec<P> = Vec::new();
             for (patch, bounds) in active.iter().zip(&bounds) {
                 let Some(bounds) = bounds else { continue };
-                if !is_last && found.is_open(bounds, within) {
-                    divided.push(patch);
+                if left > 0 && level < found.most_levels(within) && found.is_open(bounds, within) {
+                    divided.extend(patch.divided());
                 } else {
                     found.upper = [0, 1].map(|k| found.upper[k].max(bounds.upper[k]));
                 }
             }
-            active = divided.par_iter().flat_map_iter(|patch| patch.divided()).collect();
-            if active.is_empty() {
-                break;
-            }
+            stack.extend(divided.chunks(BATCH).rev().map(|chunk| (level + 1, chunk.to_vec())));
         }
     }
     found

@@ -1,0 +1,59 @@
+//! What is proven of the shape of all cells of a mesh.
+
+use super::options::{MeshError, go_on};
+use pompeiu_core::run::Control;
+use pompeiu_volume::{
+    BezierMesh, HexMesh, Jacobian, certify, certify_bezier, scaled_jacobian, scaled_jacobian_bezier,
+    scaled_jacobian_bound, scaled_jacobian_bound_bezier,
+};
+use rayon::prelude::*;
+
+/// The shape of the cells.
+pub(super) struct CellProof {
+    /// A proven lower bound on the scaled Jacobian over all cells.
+    pub(super) least: f64,
+    /// Whether every determinant is proven positive.
+    pub(super) certified: bool,
+    /// The cell with the least scaled Jacobian at points, and this value.
+    pub(super) worst: (usize, f64),
+}
+
+impl CellProof {
+    pub(super) fn of_cells(mesh: &HexMesh, control: &Control) -> Result<Self, MeshError> {
+        let corners = |cell: usize| mesh.corners(mesh.cells()[cell]);
+        Self::new(
+            mesh.cells().len(),
+            control,
+            |cell| (scaled_jacobian(&corners(cell)), certify(&corners(cell)) == Jacobian::Positive),
+            |cell, attained| scaled_jacobian_bound(&corners(cell), attained),
+        )
+    }
+
+    pub(super) fn of_patches(mesh: &BezierMesh, control: &Control) -> Result<Self, MeshError> {
+        let at_points = |cell: usize| {
+            let points = mesh.control(cell);
+            (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
+        };
+        Self::new(mesh.cells().len(), control, at_points, |cell, attained| {
+            scaled_jacobian_bound_bezier(&mesh.control(cell), attained)
+        })
+    }
+
+    fn new(
+        count: usize,
+        control: &Control,
+        at_points: impl Fn(usize) -> (f64, bool) + Sync,
+        bound: impl Fn(usize, f64) -> f64 + Sync,
+    ) -> Result<Self, MeshError> {
+        let going = |_: &usize| !control.is_stopped();
+        let found: Vec<(f64, bool)> = (0..count).into_par_iter().filter(going).map(&at_points).collect();
+        go_on(control)?;
+        let values = found.iter().map(|(value, _)| *value).enumerate();
+        let worst = values.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or(MeshError::NoCell)?;
+        // Other cells are bounded as far as the worst one needs it.
+        let bounds = (0..count).into_par_iter().filter(going).map(|cell| bound(cell, worst.1));
+        let least = bounds.reduce(|| f64::INFINITY, |a, b| if a < b { a } else { b });
+        go_on(control)?;
+        Ok(Self { least, certified: found.iter().all(|(_, certified)| *certified), worst })
+    }
+}
