@@ -2,8 +2,7 @@
 
 use crate::Jacobian;
 use crate::bernstein::{bernstein, bernstein_slopes};
-use crate::jacobian::least;
-use crate::scaled_bound::ParameterBox;
+use crate::parameter_box::{ParameterBox, least};
 use glam::DVec3;
 
 /// Largest depth of halvings along each axis; dividing a cell into eight halves it along all three.

@@ -1,6 +1,6 @@
 //! The Jacobian determinant of a trilinear cell: certificates over the whole cell, and quality.
 
-use crate::scaled_bound::ParameterBox;
+use crate::parameter_box::{ParameterBox, least};
 use glam::DVec3;
 
 /// What is known about the Jacobian determinant of a cell.
@@ -220,11 +220,6 @@ fn greatest(vectors: &[[DVec3; 2]; 2]) -> f64 {
             length
         }
     })
-}
-
-/// The least value; NaN if one is no number.
-pub(crate) fn least(values: &[f64]) -> f64 {
-    values.iter().fold(f64::INFINITY, |least, &x| if x >= least { least } else { x })
 }
 
 /// The least scaled Jacobian at the 27 points of a cell whose coordinates are 0, ½ and 1: the determinant over the product of the

@@ -39,6 +39,7 @@ mod iga_files;
 mod jacobian;
 mod knots;
 mod mesh;
+mod parameter_box;
 mod partition;
 mod refinement;
 mod scaled_bound;

@@ -7,6 +7,7 @@
 
 use crate::bezier_jacobian::CubicBox;
 use crate::jacobian::LinearBox;
+use crate::parameter_box::ParameterBox;
 use glam::DVec3;
 
 /// Largest distance of a bound from a value that is attained, unless a limit on divisions is reached.
@@ -24,17 +25,6 @@ const MOST_BOXES: usize = 2000;
 /// The divisor is a sum of at most 48 times 48 positive products of three lengths, in two sums that follow one another, with factors exact to 6 u
 /// as in the determinant: less than 128 u. The lengths and the quotient have at most 12 u. The sum is doubled.
 const RELATIVE: f64 = 280.0 * 1.110_223_024_625_156_5e-16;
-
-/// A box of parameters of a cell.
-pub(crate) trait ParameterBox: Sized {
-    /// Calls an action with lower bounds on the coefficients of the determinant, and the coefficients of a polynomial that is at least the
-    /// product of the lengths of the derivatives, but for [`RELATIVE`].
-    fn coefficients(&self, act: impl FnMut(f64, f64));
-    /// The least scaled Jacobian at its corners.
-    fn attained(&self) -> f64;
-    /// The eight parts.
-    fn divided(&self) -> [Self; 8];
-}
 
 /// A lower bound on the scaled Jacobian over a box; −1 if the determinant is not proven to be positive.
 fn lower(part: &impl ParameterBox) -> f64 {

@@ -6,7 +6,7 @@ use super::core::{Core, library, library_of_balls};
 use super::energy::{Energy, Shape};
 use super::tube::{End, Tube};
 use super::wall::{Middle, Wall};
-use super::warp::{Ray, turned};
+use super::warp::{Ray, side_of, turned};
 use crate::RoundCone;
 use glam::DVec3;
 use pompeiu_core::run::Control;
@@ -450,23 +450,6 @@ pub(super) fn layer_of(blocks: &mut Vec<[u32; 8]>, below: [[u32; 4]; 2], above: 
         let l = (k + 1) % 4;
         blocks.push([a[k], b[k], b[l], a[l], c[k], d[k], d[l], c[l]]);
     }
-}
-
-/// The direction in a section whose corners at 45°, 135°, … are closest to those of a quad.
-pub(super) fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
-    let (e1, e2) = axis.any_orthonormal_pair();
-    // The orientation of the pair relative to the axis.
-    let e2 = if e1.cross(e2).dot(axis) < 0.0 { -e2 } else { e2 };
-    let middle = quad.iter().copied().sum::<DVec3>() / 4.0;
-    let (mut sine, mut cosine) = (0.0, 0.0);
-    for (k, p) in quad.iter().enumerate() {
-        let (x, y) = ((*p - middle).dot(e1), (*p - middle).dot(e2));
-        let angle = libm::atan2(y, x) - std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
-        sine += libm::sin(angle);
-        cosine += libm::cos(angle);
-    }
-    let angle = libm::atan2(sine, cosine);
-    (e1 * libm::cos(angle) + e2 * libm::sin(angle)).normalize()
 }
 
 /// The position of a vertex of a section in the unit disc, from the weights of the corners in the core and on the wall, and whether

@@ -1,7 +1,6 @@
 //! Turning the vertices of a core on a ball, so that each tube leaves from the middle of its quad.
 
 use super::core::Core;
-use super::node::side_of;
 use glam::DVec3;
 
 /// Rounds of averaging.
@@ -112,4 +111,21 @@ fn reach(ray: &Ray, rays: &[Ray], usual: f64) -> f64 {
     });
     let room = SHARE * room.fold(f64::INFINITY, f64::min);
     usual.min(room).min(RIM[1] * ray.rim).max(RIM[0] * ray.rim)
+}
+
+/// The direction in a section whose corners at 45°, 135°, … are closest to those of a quad.
+pub(super) fn side_of(quad: &[DVec3; 4], axis: DVec3) -> DVec3 {
+    let (e1, e2) = axis.any_orthonormal_pair();
+    // The orientation of the pair relative to the axis.
+    let e2 = if e1.cross(e2).dot(axis) < 0.0 { -e2 } else { e2 };
+    let middle = quad.iter().copied().sum::<DVec3>() / 4.0;
+    let (mut sine, mut cosine) = (0.0, 0.0);
+    for (k, p) in quad.iter().enumerate() {
+        let (x, y) = ((*p - middle).dot(e1), (*p - middle).dot(e2));
+        let angle = libm::atan2(y, x) - std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
+        sine += libm::sin(angle);
+        cosine += libm::cos(angle);
+    }
+    let angle = libm::atan2(sine, cosine);
+    (e1 * libm::cos(angle) + e2 * libm::sin(angle)).normalize()
 }

@@ -1,0 +1,17 @@
+//! Boxes of parameters of cells, on which scaled Jacobians are bounded.
+
+/// A box of parameters of a cell.
+pub(crate) trait ParameterBox: Sized {
+    /// Calls an action with lower bounds on the coefficients of the determinant, and the coefficients of a polynomial that is at least the
+    /// product of the lengths of the derivatives, but for rounding.
+    fn coefficients(&self, act: impl FnMut(f64, f64));
+    /// The least scaled Jacobian at its corners.
+    fn attained(&self) -> f64;
+    /// The eight parts.
+    fn divided(&self) -> [Self; 8];
+}
+
+/// The least value; NaN if one is no number.
+pub(crate) fn least(values: &[f64]) -> f64 {
+    values.iter().fold(f64::INFINITY, |least, &x| if x >= least { least } else { x })
+}
