@@ -48,7 +48,11 @@ const RING: usize = 12;
 impl Cluster {
     /// For each end the length along its tube at which the mesh of the node ends; `None` if the tube is too short.
     pub(super) fn clearances(&self, tubes: &[Tube]) -> Vec<Option<f64>> {
-        self.ends.iter().map(|&end| self.clearance(tubes, end)).collect()
+        let clearance = |&end: &End| {
+            let s = self.clearance(tubes, end)?;
+            Some(end.beside_corners(tubes, s)).filter(|s| *s <= tubes[end.tube].length())
+        };
+        self.ends.iter().map(clearance).collect()
     }
 
     fn clearance(&self, tubes: &[Tube], end: End) -> Option<f64> {
@@ -342,7 +346,9 @@ fn build(
             let mut next_inner = [0; 4];
             let mut next_outer = [0; 4];
             let target: [DVec3; 4] = [0, 1, 2, 3].map(|k| at + direction(k) * (CORE * radius));
-            let ring: [DVec3; 4] = [0, 1, 2, 3].map(|k| start[k].lerp(target[k], t));
+            // Where the tube turns within the node, the rings follow its axis.
+            let bow = end.at(tubes, t * s).0 - end.at(tubes, 0.0).0.lerp(at, t);
+            let ring: [DVec3; 4] = [0, 1, 2, 3].map(|k| start[k].lerp(target[k], t) + bow);
             let middle = ring.iter().copied().sum::<DVec3>() / 4.0;
             for k in 0..4 {
                 next_inner[k] = corners.len() as u32;

@@ -186,6 +186,22 @@ impl Tube {
         (1..points.len() - 1).filter(|k| lengths[*k] > from && lengths[*k] < to).map(mitre).collect()
     }
 
+    /// The least length from a node, at least `s`, at which a section has room beside the sections at corners: past those that are too near.
+    fn beside_corners(&self, mut s: f64, first: bool) -> f64 {
+        let mut mitres = self.mitres(0.0, self.length());
+        if !first {
+            mitres.reverse();
+        }
+        for mitre in mitres {
+            let at = if first { mitre.at } else { self.length() - mitre.at };
+            let room = mitre.reach() / ROOM;
+            if (at - s).abs() < room {
+                s = at + room * (1.0 + 1e-9);
+            }
+        }
+        s
+    }
+
     /// Whether the sections at corners between two lengths are disjoint, and disjoint from those at the ends.
     pub(super) fn has_room(&self, from: f64, to: f64) -> bool {
         let mut last = (from, 0.0);
@@ -278,6 +294,11 @@ impl End {
     pub(super) fn tangent(self, tubes: &[Tube], s: f64) -> DVec3 {
         let tube = &tubes[self.tube];
         if self.first { tube.tangent(s) } else { -tube.tangent(tube.length() - s) }
+    }
+
+    /// The least length, at least `s`, at which a section has room beside the corners of the tube.
+    pub(super) fn beside_corners(self, tubes: &[Tube], s: f64) -> f64 {
+        tubes[self.tube].beside_corners(s, self.first)
     }
 
     /// The cones within a length of the node.

@@ -274,3 +274,14 @@ fn somata_stay_within_the_default() {
     assert!(found.certified && wall.is_within() == Some(true), "{wall:?}");
     assert!(wall.in_radii()[1] < 0.1, "{wall:?}");
 }
+
+/// A furcation with turns so near to it that there is no room for a section between them.
+const TURNS: &str = "1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 10.2 1.1 0 1 2\n4 2 10.8 4.5 0 1 3\n5 2 14 9 2 1 4\n6 2 10.4 -1.1 0 1 2\n7 2 17 -3 3 1 6\n";
+
+#[test]
+fn turns_beside_nodes_are_followed() {
+    let found = mesh_neuron(&skeleton(TURNS), &MeshOptions::default()).unwrap().report;
+    assert!(found.certified && found.moved.is_empty(), "{:?}", found.moved);
+    let wall = found.wall.unwrap();
+    assert!(wall.in_radii()[1] < 0.3, "{wall:?}");
+}
