@@ -121,7 +121,7 @@ def puzzle(
     size: Sequence[float] = (300.0, 200.0,),
     layout: Literal["grid", "hexagons", "voronoi"] = "grid",
     tab: Literal["none", "knob", "dovetail"] = "knob",
-    neck: Optional[float] = None,
+    neck: Optional[Union[float, str]] = None,
     seed: int = 0,
     piece: Optional[Union[str, Sequence[Sequence[float]]]] = None,
     method: Literal["descent", "lloyd"] = "descent",
@@ -131,7 +131,7 @@ def puzzle(
     mirrors: bool = True,
     free_outline: bool = False,
     whimsy: Sequence[Union[str, Sequence[Sequence[float]]]] = (),
-    kerf: float = 0.0,
+    kerf: Optional[Union[float, str]] = None,
     layout_on: Optional[Sequence[float]] = None,
     threads: Optional[int] = None,
     time_limit: Optional[float] = None,
@@ -154,9 +154,9 @@ def puzzle(
     tab : str
         The shape of tabs on borders between pieces. ``"none"``: straight borders; ``"knob"``: a round head on a
         narrower neck; ``"dovetail"``: a trapezium that is wider at its head.
-    neck : float, optional
-        The least width of necks that tabs leave; by default 15 % of the mean side of a piece, and 3 mm where these are
-        at most a fifth of it.
+    neck : Union[float, str], optional
+        The least width of necks that tabs leave, in millimetres or with another unit; by default 15 % of the mean side
+        of a piece, and 3 mm where these are at most a fifth of it.
     seed : int
         Seed of places and sides.
     piece : Union[str, Sequence[Sequence[float]]], optional
@@ -182,8 +182,9 @@ def puzzle(
     whimsy : Sequence[Union[str, Sequence[Sequence[float]]]]
         Make a piece of an outline, twice as large as the others: a picture (its largest part), a drawing or a list of
         points; may be repeated.
-    kerf : float
-        Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested.
+    kerf : Union[float, str], optional
+        Width of the cut, such as 0.2 for millimetres, 0.2mm or 8mil: paths are moved by half of it, and whether the
+        puzzle holds with the gap is tested.
     layout_on : Sequence[float], optional
         Lay the pieces out on a sheet of this width and height, with the width of the cut between their paths.
     threads : int, optional

@@ -80,7 +80,8 @@ def flow(
     time_step: Optional[float] = None,
     planes: Optional[Sequence[float]] = None,
     volume: Literal["free", "keep"] = "free",
-    remesh: Optional[float] = None,
+    remesh: Optional[Union[float, str]] = None,
+    unit: str = "",
     remesh_every: int = 5,
     keep_angles: bool = True,
     intersections: Literal["ignore", "report", "refuse", "refuse-new"] = "report",
@@ -115,8 +116,10 @@ def flow(
         it stays.
     volume : str
         The treatment of the enclosed volume. ``"free"``: it changes; ``"keep"``: it stays: a soap bubble.
-    remesh : float, optional
-        Remesh to edges of this length on the way.
+    remesh : Union[float, str], optional
+        Remesh on the way to edges of this length, such as 2, 2mm with the unit given, or 1% of the diagonal.
+    unit : str
+        The unit of the coordinates, such as mm; files have none.
     remesh_every : int
         Steps between two remeshings to that length.
     keep_angles : bool

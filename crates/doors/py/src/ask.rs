@@ -31,7 +31,7 @@ use pompeiu::neuron::{NeuronAnswer, NeuronRequest, NeuronSource};
 use pompeiu::operators::FaceField;
 use pompeiu::options::request_from;
 use pompeiu::planar::ShapeSource;
-use pompeiu::puzzle::PuzzleRequest;
+use pompeiu::puzzle::{PuzzleRequest, PuzzleRequestError};
 use pompeiu::remesh::RemeshRequest;
 use pompeiu::surface::{EdgeData, EmbeddedSurface};
 use pyo3::exceptions::PyKeyError;
@@ -414,10 +414,11 @@ impl Asked for PuzzleRequest {
     type Told = Share;
 
     fn ask(&self, asking: &Asking<'_, Share>) -> Outcome<Self> {
+        let width = self.kerf_width().map_err(PuzzleRequestError::from).map_err(failure)?;
         let found = self.run(true, &asking.watched()).map_err(failure)?;
         let outlines = (0..found.puzzle.pieces()).map(|piece| found.puzzle.outline(piece)).collect();
         let report = found.report.clone();
-        let drawings = PuzzleDrawings::new(found, self.kerf);
+        let drawings = PuzzleDrawings::new(found, width);
         let beside =
             vec![("outlines", Beside::Outlines(outlines)), ("drawings", Beside::Puzzle(Box::new(drawings)))];
         Ok((report, beside))

@@ -2,6 +2,7 @@
 
 use super::scheme::Scheme;
 use pompeiu_core::MeshError;
+use pompeiu_core::request::LengthError;
 use pompeiu_remesh::{ConnectivityError, Intersects, RemeshError};
 use pompeiu_solve::SolveError;
 
@@ -12,6 +13,9 @@ pub enum FlowError {
     /// The faces are no oriented manifold.
     #[error(transparent)]
     Connectivity(#[from] ConnectivityError),
+    /// A length cannot be converted to the unit of the coordinates.
+    #[error(transparent)]
+    Unit(#[from] LengthError),
     /// A face has no area.
     #[error(
         "face {face} has no area, so it has no normal; `pompeiu repair` removes such faces ({count} in all)"

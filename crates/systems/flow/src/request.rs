@@ -5,8 +5,9 @@ use crate::{
     mean_curvature_flow,
 };
 use pompeiu_core::TriMesh;
+use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::Coordinates;
-use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::request::{Length, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_remesh::Intersections;
 use std::fmt;
@@ -37,9 +38,12 @@ pub struct FlowRequest {
     /// The treatment of the enclosed volume.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub volume: Volume,
-    /// Remesh to edges of this length on the way.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = magnitude, value_name = "LENGTH"))]
-    pub remesh: Option<f64>,
+    /// Remesh on the way to edges of this length, such as 2, 2mm with the unit given, or 1% of the diagonal.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
+    pub remesh: Option<Length>,
+    /// The unit of the coordinates, such as mm; files have none.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub unit: String,
     /// Steps between two remeshings to that length.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub remesh_every: NonZeroUsize,
@@ -67,6 +71,7 @@ impl Default for FlowRequest {
             planes: None,
             volume: Volume::default(),
             remesh: None,
+            unit: String::new(),
             remesh_every: const { NonZeroUsize::new(5).unwrap() },
             keep_angles: true,
             intersections: Intersections::Report,
@@ -161,12 +166,14 @@ impl FlowRequest {
         observer: Option<&dyn FlowObserver>,
     ) -> Result<Flow, FlowError> {
         let every = self.remesh_every;
+        let diagonal = Aabb::of_faces(mesh).diagonal();
+        let edge_length = self.remesh.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()?;
         let options = FlowOptions {
             scheme: self.scheme,
             time_step: self.time_step,
             boundary: self.planes.map_or(BoundaryCondition::Fixed, BoundaryCondition::Planes),
             keep_volume: self.volume == Volume::Keep,
-            remesh: self.remesh.map(|edge_length| Remeshing { edge_length, every }),
+            remesh: edge_length.map(|edge_length| Remeshing { edge_length, every }),
             keep_angles: self.keep_angles,
             coordinates: self.coordinates,
             intersections: self.intersections,
@@ -194,5 +201,28 @@ mod tests {
         for text in ["stationary", "stationary:1e-6", "time:0.5", "steps:7"] {
             assert_eq!(text.parse::<Until>().unwrap().to_string(), text);
         }
+    }
+
+    #[test]
+    fn lengths_of_edges_have_units() {
+        let tube = pompeiu_core::mesh::shapes::catenoid(0.8, 1.0, 24, 6).unwrap();
+        let run = |length: &str, unit: &str| {
+            let until = Until::Steps(2);
+            let remesh = Some(length.parse().unwrap());
+            let unit = unit.to_owned();
+            let request = FlowRequest {
+                until,
+                remesh,
+                unit,
+                remesh_every: NonZeroUsize::MIN,
+                scheme: Some(Scheme::Implicit),
+                ..FlowRequest::default()
+            };
+            request.run(&tube, &RunContext::default(), None)
+        };
+        let faces = |length: &str, unit: &str| run(length, unit).unwrap().mesh.faces().len();
+        assert_eq!(faces("0.2mm", "mm"), faces("0.2", ""));
+        assert_eq!(faces("200um", "mm"), faces("0.2", ""));
+        assert!(matches!(run("0.2mm", ""), Err(FlowError::Unit(_))));
     }
 }

@@ -10,7 +10,7 @@ use crate::{
     PuzzleReport, Variant, kerf, pack, take_apart,
 };
 use crate::{Layout, Tab, make::make_until, report::report_until};
-use pompeiu_core::request::{Limit, Report, Request};
+use pompeiu_core::request::{Length, LengthError, Limit, Report, Request};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Progress, RunContext, StopReason};
 use pompeiu_planar::silhouette::SilhouetteOptions;
@@ -19,6 +19,9 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "clap")]
 use pompeiu_core::request::values;
+
+/// The unit of a puzzle.
+const UNIT: &str = "mm";
 
 /// Make a jigsaw puzzle, and decide whether it holds together.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,9 +49,10 @@ pub struct PuzzleRequest {
     /// The shape of tabs on borders between pieces.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub tab: Tab,
-    /// The least width of necks that tabs leave; by default 15 % of the mean side of a piece, and 3 mm where these are at most a fifth of it.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = values::magnitude, value_name = "WIDTH"))]
-    pub neck: Option<f64>,
+    /// The least width of necks that tabs leave, in millimetres or with another unit; by default 15 % of the mean side of a piece, and 3 mm
+    /// where these are at most a fifth of it.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "WIDTH"))]
+    pub neck: Option<Length>,
     /// Seed of places and sides.
     #[cfg_attr(feature = "clap", arg(long, value_name = "SEED"))]
     pub seed: u64,
@@ -80,9 +84,10 @@ pub struct PuzzleRequest {
     /// Make a piece of an outline, twice as large as the others: a picture (its largest part), a drawing or a list of points; may be repeated.
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub whimsy: Vec<ShapeSource>,
-    /// Width of the cut: paths are moved by half of it, and whether the puzzle holds with the gap is tested.
-    #[cfg_attr(feature = "clap", arg(long, value_parser = values::magnitude, value_name = "WIDTH"))]
-    pub kerf: f64,
+    /// Width of the cut, such as 0.2 for millimetres, 0.2mm or 8mil: paths are moved by half of it, and whether the puzzle holds with the gap
+    /// is tested.
+    #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "WIDTH"))]
+    pub kerf: Option<Length>,
     /// Lay the pieces out on a sheet of this width and height, with the width of the cut between their paths.
     #[cfg_attr(feature = "clap", arg(long, value_parser = size, value_name = "WIDTHxHEIGHT"))]
     pub layout_on: Option<[f64; 2]>,
@@ -105,7 +110,7 @@ impl Default for PuzzleRequest {
             size,
             layout,
             tab,
-            neck,
+            neck: neck.and_then(|width| Length::new(width).ok()),
             seed,
             piece: None,
             method: Placing::default(),
@@ -115,7 +120,7 @@ impl Default for PuzzleRequest {
             mirrors,
             free_outline,
             whimsy: Vec::new(),
-            kerf: 0.0,
+            kerf: None,
             layout_on: None,
         }
     }
@@ -166,6 +171,9 @@ pub enum PuzzleRequestError {
     /// A shape cannot be used.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// A width cannot be converted to millimetres.
+    #[error(transparent)]
+    Length(#[from] LengthError),
     /// A name of a shape that is neither built in nor a file.
     #[error(
         "piece: expected \"square\", \"hexagon\", \"classic\", \"corner\", \"fish\", \"bird\", \"star\" or a file; {0}"
@@ -229,6 +237,7 @@ impl PuzzleRequest {
         context: &RunContext<'_>,
     ) -> Result<PuzzleAnswer, PuzzleRequestError> {
         self.check()?;
+        let width = self.kerf_width()?;
         let mut read = Vec::new();
         let mut whole = |source: &ShapeSource| whole(source, &mut read);
         let options = PuzzleOptions {
@@ -237,7 +246,7 @@ impl PuzzleRequest {
             pieces: self.pieces,
             layout: self.layout,
             tab: self.tab,
-            neck: self.neck,
+            neck: self.neck.as_ref().map(|width| width.in_unit(UNIT)).transpose()?,
             whimsies: self.whimsy.iter().map(&mut whole).collect::<Result<_, _>>()?,
             seed: self.seed,
         };
@@ -271,11 +280,11 @@ impl PuzzleRequest {
             if let Some((fits, energy)) = &fits {
                 report.add_similarities(fits, energy);
             }
-            if self.kerf > 0.0 {
-                report.kerf = Some(kerf(&puzzle, self.kerf, &control));
+            if width > 0.0 {
+                report.kerf = Some(kerf(&puzzle, width, &control));
             }
             if let Some(sheet) = self.layout_on {
-                report.packing = Some(pack(&puzzle, sheet, self.kerf, &control)?);
+                report.packing = Some(pack(&puzzle, sheet, width, &control)?);
             }
             let motion = wants_motion.then(|| take_apart(&puzzle, &report.found, &control)).flatten();
             report.motion = motion.as_ref().map(MotionReport::from);
@@ -287,6 +296,14 @@ impl PuzzleRequest {
         let made = context.on_threads(work);
         let (puzzle, report, motion) = made.map_err(|error| self.with_file(error))?;
         Ok(PuzzleAnswer { puzzle, report, motion, read })
+    }
+
+    /// The width of the cut in millimetres; 0 where none is given.
+    ///
+    /// # Errors
+    /// [`LengthError`] for a percentage.
+    pub fn kerf_width(&self) -> Result<f64, LengthError> {
+        self.kerf.as_ref().map_or(Ok(0.0), |width| width.in_unit(UNIT))
     }
 
     fn check(&self) -> Result<(), PuzzleRequestError> {
@@ -309,10 +326,6 @@ impl PuzzleRequest {
             return Err(PuzzleRequestError::Exclusive { first: "piece", second: "layout" });
         } else if self.free_outline && self.method != defaults.method {
             return Err(PuzzleRequestError::Exclusive { first: "free_outline", second: "method" });
-        }
-        if !(self.kerf >= 0.0 && self.kerf.is_finite()) {
-            let expected = "it must be a finite width that is not negative";
-            return Err(PuzzleError::Option { what: "kerf", value: self.kerf, expected }.into());
         }
         let is_side = |x: &f64| x.is_finite() && *x > 0.0;
         if let Some(value) = self.layout_on.iter().flatten().copied().find(|x| !is_side(x)) {
@@ -354,4 +367,21 @@ fn whole(source: &ShapeSource, read: &mut Vec<(PathBuf, usize)>) -> Result<Outli
     }
     read.extend(source.file().map(|path| (path.to_owned(), region.outer.points().len())));
     Ok(region.outer)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn widths_are_in_millimetres_whatever_their_unit() {
+        let width = |text: &str| {
+            PuzzleRequest { kerf: Some(text.parse().unwrap()), ..PuzzleRequest::default() }.kerf_width()
+        };
+        assert_eq!((width("0.2"), width("200um"), width("8mil")), (Ok(0.2), Ok(0.2), Ok(0.2032)));
+        assert!(matches!(width("1%"), Err(LengthError::Percent(_))));
+        let request = PuzzleRequest { neck: Some("1%".parse().unwrap()), ..PuzzleRequest::default() };
+        let error = request.run(false, &RunContext::default()).unwrap_err();
+        assert!(matches!(error, PuzzleRequestError::Length(_)), "{error}");
+    }
 }

@@ -29,7 +29,7 @@ impl System for Files {
         for (path, corners) in &found.read {
             session.note_points(path, *corners);
         }
-        outputs.write(&found, request.kerf, print.as_ref(), session.printer)?;
+        outputs.write(&found, request.kerf_width()?, print.as_ref(), session.printer)?;
         Ok(found.report)
     }
 
