@@ -31,7 +31,10 @@ impl Entry {
 
     /// A triangle of the fan of a polygon, of a face with an area in these bounds.
     pub(super) fn new(polygon: &Polygon, triangle: [usize; 3], (low, high): (f64, f64)) -> Self {
-        let ends = triangle.map(|j| between(polygon.lower[j], polygon.upper[j]));
+        // A function that is positive nowhere says no more than zero, which does not cost the one above digits.
+        let is_above_zero = triangle.iter().any(|j| polygon.lower[*j] > 0.0);
+        let lower = |j: usize| if is_above_zero { polygon.lower[j] } else { 0.0 };
+        let ends = triangle.map(|j| between(lower(j), polygon.upper[j]));
         let (share, error) = (polygon.outline.share_of(triangle), polygon.outline.share_error());
         let area = greater((share - error) * low * LESS, 0.0);
         let most = (share + error) * high * MORE + f64::MIN_POSITIVE;

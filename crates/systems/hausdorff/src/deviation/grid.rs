@@ -10,10 +10,13 @@
 //!
 //! A triangle goes to the finest level whose places reach to its values, so that rounding moves the greatest of them by at most [`MOST_MOVED`] of
 //! itself, but no further than [`MOST_MOVED`] of the lowest level, wherever it lies. Between places, sums are taken at the place below, or above.
+//!
+//! Small values of a triangle that also has great ones are moved by a large part of themselves. Where that matters, triangles are cut along a contour
+//! of their function: what lies below it goes to finer levels. The shares of the parts are quotients of differences of values, and rounded as areas are.
 
 use super::entry::{Entry, LESS, MORE, Sum};
 use super::linear::{Corners, ascending, greater, lesser};
-use super::tally::Side;
+use super::tally::{Side, Weighted};
 use crate::rounding::Rounding;
 use pompeiu_core::exact::Interval;
 use std::sync::{Mutex, PoisonError};
@@ -31,6 +34,8 @@ const OF_FLOOR: f64 = LAST as f64 / 32.0;
 const UNITS: i32 = 110;
 /// Levels at most.
 const MOST_LEVELS: i32 = 64;
+/// Levels between two contours: values right above the first one are then moved by less than 1/20 of themselves.
+const LEVELS_BETWEEN_CONTOURS: usize = 6;
 
 /// Where levels lie, and what a unit of area is.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +67,8 @@ pub(super) struct Grids {
     /// Changes that are yet to be added, by index: places lie far apart in memory, and many that do not depend on each other are
     /// fetched at the same time.
     pending: Vec<(u32, i128)>,
+    /// Values, ascending, at which triangles are cut.
+    contours: Vec<f64>,
     triangles: u64,
 }
 
@@ -94,6 +101,20 @@ impl Ruler {
         self.levels as usize
     }
 
+    /// Ends of levels, ascending, below which ranges of values lie, and of levels above them at some distance: what lies between two ends is not
+    /// moved to far below the first.
+    fn ends_above(&self, ranges: &[(f64, f64)]) -> Vec<f64> {
+        let first = |(_, high): &(f64, f64)| exponent_not_below(2.0 * high).max(self.lowest);
+        let highest = self.lowest + self.levels;
+        let mut ends: Vec<i32> = ranges
+            .iter()
+            .flat_map(|range| (first(range)..highest).step_by(LEVELS_BETWEEN_CONTOURS))
+            .collect();
+        ends.sort_unstable();
+        ends.dedup();
+        ends.into_iter().map(power_of_two).collect()
+    }
+
     /// Places of a level in a length of one.
     fn places_per_length(&self, level: i32) -> f64 {
         power_of_two(PLACES - self.lowest - level)
@@ -105,7 +126,13 @@ impl Grids {
         let levels = [(); 2].map(|()| vec![Level::default(); ruler.count()]);
         // Memory of zeros that is never written to is not taken.
         let bends = vec![0; 2 * ruler.count() * SIZE];
-        Self { ruler, levels, bends, pending: Vec::with_capacity(TOGETHER + OF_TRIANGLE), triangles: 0 }
+        let (pending, contours) = (Vec::with_capacity(TOGETHER + OF_TRIANGLE), Vec::new());
+        Self { ruler, levels, bends, pending, contours, triangles: 0 }
+    }
+
+    /// The same with triangles cut at some values, ascending, so that those below are rounded less.
+    fn cut_at(self, contours: &[f64]) -> Self {
+        Self { contours: contours.to_vec(), ..self }
     }
 
     /// Takes a triangle in.
@@ -113,10 +140,24 @@ impl Grids {
         self.triangles += 1;
         for (k, side) in SIDES.into_iter().enumerate() {
             let (v, weight) = side.of(entry);
-            self.add_to(k, side, v, weight);
+            self.add_parts(k, side, (v, weight), self.contours.len());
         }
         if self.pending.len() >= TOGETHER {
             self.settle();
+        }
+    }
+
+    /// Adds a triangle, cut along the first of the contours.
+    fn add_parts(&mut self, k: usize, side: Side, (v, weight): Weighted, contours: usize) {
+        let [a, b, c] = ascending(v);
+        let crossing = (0..contours).rev().find(|i| a < self.contours[*i] && self.contours[*i] < c);
+        let Some(crossing) = crossing else { return self.add_to(k, side, v, weight) };
+        for (part, share) in parts_beside(self.contours[crossing], [a, b, c]) {
+            let share = match side {
+                Side::Lower => share * MORE,
+                Side::Upper => share * LESS,
+            };
+            self.add_parts(k, side, (part, weight * share), crossing);
         }
     }
 
@@ -202,9 +243,11 @@ pub(super) struct SharedGrids(Vec<Mutex<Grids>>);
 const SHARING: usize = 4;
 
 impl SharedGrids {
-    pub(super) fn new(ruler: Ruler) -> Self {
+    /// With triangles cut at the ends of the levels in which some ranges of values lie.
+    pub(super) fn new(ruler: Ruler, ranges: &[(f64, f64)]) -> Self {
         let count = rayon::current_num_threads().div_ceil(SHARING);
-        Self((0..count).map(|_| Mutex::new(Grids::new(ruler))).collect())
+        let contours = ruler.ends_above(ranges);
+        Self((0..count).map(|_| Mutex::new(Grids::new(ruler).cut_at(&contours))).collect())
     }
 
     /// Takes triangles in; which thread does so makes no difference, for sums of integers do not depend on their order.
@@ -285,6 +328,19 @@ impl Level {
         }
         areas.push(area(self.total));
         areas
+    }
+}
+
+/// Three triangles into which a contour cuts one with ascending values, between the first and the last of them, and which share of the area each has,
+/// rounded six times.
+fn parts_beside(at: f64, [a, b, c]: Corners) -> [Weighted; 3] {
+    let (below, above) = (at - a, c - at);
+    if at <= b {
+        let (near, far) = (below / (b - a), below / (c - a));
+        [([a, at, at], near * far), ([at, b, c], (b - at) / (b - a)), ([at, at, c], near * (above / (c - a)))]
+    } else {
+        let (near, far) = (above / (c - b), above / (c - a));
+        [([at, at, c], near * far), ([a, b, at], below / (c - a)), ([b, at, at], far * ((at - b) / (c - b)))]
     }
 }
 
@@ -422,6 +478,14 @@ mod tests {
         grids.areas()
     }
 
+    fn areas_cut_at(contours: &[f64], entries: &[Entry], ruler: Ruler) -> Areas {
+        let mut grids = Grids::new(ruler).cut_at(contours);
+        for entry in entries {
+            grids.add(entry);
+        }
+        grids.areas()
+    }
+
     /// The same from every entry by itself.
     fn exactly(entries: &[Entry], level: f64) -> (f64, f64) {
         let of = |(low, high): (f64, f64), entry: &Entry| {
@@ -463,6 +527,29 @@ mod tests {
             let (low, high) = percentiles(&[areas(&entries, ruler(total.1))], &[share], Interval::spanning(total.0, total.1), 4.0)[0];
             prop_assert!(exactly(&entries, low).0 <= share * total.1, "{low}");
             prop_assert!(exactly(&entries, high * (1.0 + 1e-9)).1 >= share * total.0, "{high}");
+        }
+
+        /// Cut along contours, triangles take up the same areas, and what lies below the first is rounded as triangles below it are.
+        #[test]
+        fn contours_leave_less_to_rounding(entries in entries(), order in 0..9_i32, part in 0.01..0.45_f64) {
+            let total: f64 = entries.iter().map(|entry| entry.area().1).sum();
+            let ruler = ruler(total);
+            let high = 10.0_f64.powi(-order);
+            let contours = ruler.ends_above(&[(0.0, high), (0.0, 20.0 * high)]);
+            for end in &contours {
+                let level = part * end;
+                let found = area_up_to(&[areas_cut_at(&contours, &entries, ruler)], level);
+                let (low, high) = exactly(&entries, level);
+                prop_assert!(found.lower() <= low && high <= found.upper(), "{found:?} {low} {high}");
+            }
+            // Each entry by itself. A function that is negative is rounded by a part of its greatest magnitude.
+            for entry in entries.iter().filter(|entry| entry.lower().iter().all(|x| *x >= 0.0)) {
+                let level = 2.0 * part * high;
+                let beside = 4.0 * MOST_MOVED * high + FLOOR;
+                let found = area_up_to(&[areas_cut_at(&contours, &[*entry], ruler)], level);
+                let (low, most) = (exactly(&[*entry], level - beside).0, exactly(&[*entry], level + beside).1);
+                prop_assert!(low * (1.0 - 1e-9) <= found.lower() && found.upper() <= most * (1.0 + 1e-9) + 1e-20, "{found:?} {low} {most}");
+            }
         }
 
         /// Sums do not depend on who adds what, nor on the order.

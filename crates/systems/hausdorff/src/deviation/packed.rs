@@ -24,22 +24,20 @@ pub(super) struct Packed {
 
 impl Packed {
     pub(super) fn new(entry: &Entry) -> Self {
-        let lower = entry.lower().map(at_most);
-        let upper = entry.upper();
+        let (lower, upper) = (entry.lower(), entry.upper());
         let (low, high) = entry.area();
         let area = at_most(low);
-        let width = |j: usize| upper_half(at_least(upper[j] - f64::from(lower[j]), upper[j]));
+        let ends: [(f32, u16); 3] = std::array::from_fn(|j| between(lower[j], upper[j]));
         Self {
-            lower,
+            lower: ends.map(|(lower, _)| lower),
             area,
-            width: [width(0), width(1), width(2)],
+            width: ends.map(|(_, width)| width),
             more: upper_half(at_least(high - f64::from(area), high)),
         }
     }
 
     #[inline]
     pub(super) fn entry(&self) -> Entry {
-        let whole = |half: u16| f32::from_bits(u32::from(half) << 16);
         Entry {
             lower: self.lower.map(f64::from),
             width: self.width.map(whole),
@@ -47,6 +45,23 @@ impl Packed {
             more: whole(self.more),
         }
     }
+}
+
+/// A lower end and a width for values at a corner. Where the lower one is negative it is what gives way to the rounding of the width, as in an
+/// [`Entry`]: a part of a width from far below zero to nearly zero would be far more than the upper one.
+fn between(lower: f64, upper: f64) -> (f32, u16) {
+    let rounded = at_most(lower);
+    let width = upper_half(at_least(upper - f64::from(rounded), upper));
+    if lower < 0.0 {
+        // No less than the exact difference, so that the sum is no less than the upper end.
+        let raised = at_least(upper - f64::from(whole(width)), upper);
+        return (if raised < rounded { raised } else { rounded }, width);
+    }
+    (rounded, width)
+}
+
+fn whole(half: u16) -> f32 {
+    f32::from_bits(u32::from(half) << 16)
 }
 
 /// Rounded down.
@@ -146,6 +161,18 @@ mod tests {
         assert_eq!((size_of::<Packed>(), size_of::<Entry>()), (24, 48));
     }
 
+    /// Where one face of B ends the planes behind which B lies fall off steeply, however near the surface is.
+    #[test]
+    fn what_says_nothing_from_below_costs_no_digits_above() {
+        let mut polygon = Polygon::whole(0.0);
+        polygon.lower[..3].copy_from_slice(&[-1e-15, -1e-3, -1e-15]);
+        polygon.upper[..3].copy_from_slice(&[1e-15, 1e-15, 1e-9]);
+        let packed = Packed::new(&Entry::new(&polygon, [0, 1, 2], (1.0, 1.0))).entry();
+        for (exact, found) in polygon.upper.into_iter().zip(packed.upper()) {
+            assert!(exact <= found && found <= 1.02 * exact, "{found}");
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -172,8 +199,10 @@ mod tests {
                 let (low, high) = (full.lower()[j], full.upper()[j]);
                 prop_assert!(packed.lower()[j] <= low && high <= packed.upper()[j]);
                 let slack = 1e-6 * (low.abs() + high) + 1e-37;
-                prop_assert!(low - packed.lower()[j] <= slack);
-                prop_assert!(packed.upper()[j] - high <= slack + 0.016 * (high - low));
+                let of_width = 0.016 * (high - low);
+                let (of_lower, of_upper) = if low < 0.0 { (of_width, 0.0) } else { (0.0, of_width) };
+                prop_assert!(low - packed.lower()[j] <= slack + of_lower);
+                prop_assert!(packed.upper()[j] - high <= slack + of_upper);
             }
             let ((low, high), (packed_low, packed_high)) = (full.area(), packed.area());
             prop_assert!(packed_low <= low && high <= packed_high);

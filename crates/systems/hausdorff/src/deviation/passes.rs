@@ -84,7 +84,8 @@ impl Refinement<'_> {
         let task = self.task();
         let unknown = FaceBounds::unknown([0.0; 3], Slot::default(), faces.largest);
         let mut bounds = vec![unknown; self.order.len()];
-        let grids = SharedGrids::new(Ruler::new(self.options.total, faces.rounding, self.options.floor));
+        let ruler = Ruler::new(self.options.total, faces.rounding, self.options.floor);
+        let grids = SharedGrids::new(ruler, &criterion.focus);
         let level = self.options.asked.threshold;
         let (mut moments, mut up_to) = (Moments::default(), Sum::default());
         let (mut looks, mut distances, mut pieces) = (0, 0, 0);

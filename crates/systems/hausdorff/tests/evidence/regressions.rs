@@ -1,10 +1,13 @@
 //! Inputs that once went wrong, kept as they were found.
 
 use crate::support::check_report;
-use pompeiu_core::TriMesh;
-use pompeiu_core::mesh::shapes::cube;
+use pompeiu_core::mesh::shapes::{cube, torus};
 use pompeiu_core::mesh::{Affine, transform};
-use pompeiu_hausdorff::{HausdorffOptions, Observer, Progress, StopReason};
+use pompeiu_core::{FaceId, TriMesh};
+use pompeiu_hausdorff::deviation::Part;
+use pompeiu_hausdorff::{
+    DeviationOptions, Direction, HausdorffOptions, Observer, PreparedPair, Progress, StopReason,
+};
 use std::ops::ControlFlow;
 
 /// Ends a search that takes far more than such small meshes should.
@@ -77,4 +80,33 @@ fn a_subdivision_with_noise() {
     let b = TriMesh::new(moved.to_vec(), vec![[0, 3, 4], [3, 1, 5], [4, 5, 2], [3, 5, 4]]).unwrap();
     check(&a, &b);
     check(&b, &a);
+}
+
+/// A model, and a scan that shows a part of it exactly. Small percentiles of what is beside the scan were rounded with the large distances
+/// of the same faces, and never came out as narrow as asked.
+#[test]
+fn a_scan_of_a_part_without_noise() {
+    let model = torus(0.75, 0.25, 32, 16).unwrap();
+    let is_seen = |face: &FaceId| model.corners(*face).iter().all(|p| p[0] > 0.46);
+    let seen = model.face_ids().filter(is_seen).map(|face| model.faces()[face.index()]).collect();
+    let scan = TriMesh::new(model.positions().to_vec(), seen).unwrap();
+    // There and back, by rounding.
+    let turned = transform(&scan, &Affine::rotate([0.0, 0.0, 1.0], 40.0).unwrap()).unwrap();
+    let scan = transform(&turned, &Affine::rotate([0.0, 0.0, 1.0], -40.0).unwrap()).unwrap();
+    let pair = PreparedPair::new(&model, &scan);
+    let options = DeviationOptions {
+        percentiles: (940..960).map(|k| 0.001 * f64::from(k)).collect(),
+        ..DeviationOptions::default()
+    };
+    let all = |mesh| Part::of(mesh, |_| true).unwrap();
+    let near = options.within(&all(&model), &pair, Direction::AToB, 0.0287).unwrap().unwrap();
+    let pair = PreparedPair::new(&model, &scan).with_parts([near, all(&scan)]);
+    let found = options.symmetric_of(&pair).unwrap();
+    for directed in [&found.a_to_b, &found.b_to_a] {
+        assert_eq!(directed.stop, StopReason::Tolerance);
+    }
+    for percentile in &found.a_to_b.statistics.unwrap().percentiles {
+        let ends = percentile.distance;
+        assert!(ends.gap() <= options.accuracy * ends.lower() + found.a_to_b.floor, "{percentile:?}");
+    }
 }
