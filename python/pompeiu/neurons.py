@@ -370,6 +370,21 @@ class NeuronMesh:
         """Whether the Jacobian determinant is proven positive over every cell."""
         return self.report["certified"]
 
+    @property
+    def within(self) -> Optional[bool]:
+        """Whether the wall is proven to be within the tolerated distance of the cones of the skeleton, both ways, or farther away.
+
+        ``None`` where neither is proven, and for a mesh that was not made from a skeleton.
+        """
+        wall = self.report.get("wall")
+        if wall is None:
+            return None
+        distances = [wall["wall_to_cones"], wall["cones_to_wall"]]
+        # An upper bound that is not known is infinite, and null in the report.
+        if all(d["upper_radii"] is not None and d["upper_radii"] <= wall["within"] for d in distances):
+            return True
+        return False if any(d["lower_radii"] > wall["within"] for d in distances) else None
+
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the mesh as a ``.vtu`` file."""
         _write_vtu(path, self.vtu, "a mesh of a neuron")
@@ -467,6 +482,7 @@ def _meshing(
     return {
         "parts": int(elements),
         "layer": float(layer),
+        "within": None,
         "threads": threads,
         "time_limit": time_limit,
         "memory_limit": memory_limit,
@@ -548,6 +564,7 @@ class Skeleton:
         *,
         parts: int = 2,
         layer: float = 2.0,
+        within: float = 0.2,
         threads: Optional[int] = None,
         time_limit: Optional[float] = None,
         memory_limit: Optional[int] = None,
@@ -561,6 +578,8 @@ class Skeleton:
             Parts of each block along each edge: 1, 2 and 3 give 5, 20 and 45 cells to a section.
         layer : float
             Length of a block along a branch, in radii.
+        within : float
+            Tolerated distance of the wall from the cones of the skeleton, both ways, in radii: see :attr:`NeuronMesh.within`.
         threads, time_limit, memory_limit : optional
             Limits; there is no mesh when one is reached.
         progress : callable, optional
@@ -582,6 +601,7 @@ class Skeleton:
         meshing = {
             "parts": int(parts),
             "layer": float(layer),
+            "within": float(within),
             "threads": threads,
             "time_limit": time_limit,
             "memory_limit": memory_limit,

@@ -52,6 +52,18 @@ def test_a_mesh_conforms_and_encloses_its_cells(tmp_path):
         mesh.write(tmp_path / "y.stl")
 
 
+def test_the_wall_is_compared_with_the_skeleton():
+    skeleton = pompeiu.read_skeleton(TUBE)
+    mesh = skeleton.mesh()
+    upper = max(mesh.report["wall"][way]["upper_radii"] for way in ("wall_to_cones", "cones_to_wall"))
+    assert mesh.within is True and mesh.report["wall"]["within"] == 0.2 and upper <= 0.2
+    # The corners of a square with the area of a circle are .253 radii outside of it.
+    squares = [skeleton.mesh(parts=1, within=within) for within in (0.2, 0.26)]
+    assert [square.within for square in squares] == [False, True]
+    with pytest.raises(pompeiu.OptionError, match="distance in radii is 0"):
+        skeleton.mesh(within=0)
+
+
 def test_what_cannot_be_meshed_is_said():
     with pytest.raises(pompeiu.OptionError, match="line 4: sample 4 has the radius 0"):
         pompeiu.read_skeleton(Y).mesh()

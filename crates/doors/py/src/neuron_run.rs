@@ -18,6 +18,7 @@ use pyo3::types::PyBytes;
 pub(crate) struct Meshing {
     parts: usize,
     layer: f64,
+    within: Option<f64>,
     threads: Option<usize>,
     time_limit: Option<f64>,
     memory_limit: Option<usize>,
@@ -30,11 +31,13 @@ impl Meshing {
     }
 
     pub(crate) fn options(self) -> PyResult<MeshOptions<'static>> {
+        let default = MeshOptions::default();
         Ok(MeshOptions {
             parts: self.parts,
             layer: self.layer,
+            within: self.within.unwrap_or(default.within),
             limits: limits(self.threads, self.time_limit, self.memory_limit)?,
-            ..MeshOptions::default()
+            ..default
         })
     }
 }
