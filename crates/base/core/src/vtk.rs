@@ -12,7 +12,7 @@ const LENGTH_BYTES: u64 = 8;
 /// Bytes that are collected before they are written, since a writer may not be buffered.
 const BUFFER_BYTES: usize = 1 << 16;
 
-/// The type and name of an element's data.
+/// A kind of data set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DataSet {
     /// Polygons with shared vertices.

@@ -2,7 +2,7 @@
 
 use crate::Jacobian;
 use crate::bernstein::{bernstein, bernstein_slopes};
-use crate::parameter_box::{ParameterBox, least};
+use crate::parameter_box::{ParameterBox, greatest, least};
 use glam::DVec3;
 
 /// Largest depth of halvings along each axis; dividing a cell into eight halves it along all three.
@@ -27,6 +27,7 @@ fn binomial(n: usize, k: usize) -> f64 {
 }
 
 /// A tensor of coefficients with sizes along the axes, the first fastest.
+#[derive(Clone)]
 struct Tensor<T> {
     size: [usize; 3],
     values: Vec<T>,
@@ -67,6 +68,12 @@ impl<T: Copy> Tensor<T> {
         }
     }
 
+    /// Values made of the old ones and their weights.
+    fn mapped<U>(&self, of: impl Fn(T, f64) -> U) -> Tensor<U> {
+        let values = self.places().map(|(at, value)| of(value, Self::weight(self.size, at))).collect();
+        Tensor { size: self.size, values }
+    }
+
     fn places(&self) -> impl Iterator<Item = ([usize; 3], T)> + '_ {
         let [a, b, _] = self.size;
         self.values.iter().enumerate().map(move |(n, v)| ([n % a, n / a % b, n / a / b], *v))
@@ -90,22 +97,16 @@ fn product<A: Copy, B: Copy, C: Copy>(
 }
 
 /// The Bernstein coefficients of the determinant, and the product of the greatest control vectors.
-fn coefficients(points: &[DVec3; 64]) -> (Vec<f64>, f64) {
+fn coefficients(points: &[DVec3; 64]) -> (Tensor<f64>, f64) {
     let mut scale = 1.0;
     let [a, b, c] = [0, 1, 2].map(|axis| {
         let slope = slope(points, axis);
         scale *= greatest(&slope.values);
-        Tensor::new(slope.size, |at| {
-            let [i, j, k] = at;
-            let value = slope.values[i + slope.size[0] * (j + slope.size[1] * k)];
-            value * Tensor::<f64>::weight(slope.size, at)
-        })
+        slope.mapped(|value, weight| value * weight)
     });
     let cross = product(&b, &c, DVec3::ZERO, |sum, x: DVec3, y: DVec3| *sum += x.cross(y));
-    let Tensor { size, values } = product(&a, &cross, 0.0, |sum, x: DVec3, y: DVec3| *sum += x.dot(y));
-    let scaled = Tensor { size, values };
-    let coefficients = scaled.places().map(|(at, value)| value / Tensor::<f64>::weight(size, at)).collect();
-    (coefficients, scale)
+    let scaled = product(&a, &cross, 0.0, |sum, x: DVec3, y: DVec3| *sum += x.dot(y));
+    (scaled.mapped(|value, weight| value / weight), scale)
 }
 
 /// Whether the Jacobian determinant of the tricubic map with these control points is positive over the whole cell.
@@ -125,23 +126,24 @@ pub fn certify_bezier(points: &[DVec3; 64]) -> Jacobian {
     decide(&coefficients, ROUNDING * scale, DEPTH)
 }
 
-fn decide(coefficients: &[f64], doubt: f64, depth: usize) -> Jacobian {
-    if coefficients.iter().all(|&c| c > doubt) {
+fn decide(coefficients: &Tensor<f64>, doubt: f64, depth: usize) -> Jacobian {
+    let values = &coefficients.values;
+    if values.iter().all(|&c| c > doubt) {
         return Jacobian::Positive;
     }
     let last = N - 1;
     let corner = |k: usize| (k & 1) * last + N * ((k >> 1 & 1) * last + N * ((k >> 2) * last));
-    if (0..8).any(|k| coefficients[corner(k)] < -doubt) {
+    if (0..8).any(|k| values[corner(k)] < -doubt) {
         return Jacobian::Folded;
     }
-    if depth == 0 || !coefficients.iter().all(|c| c.is_finite()) {
+    if depth == 0 || !values.iter().all(|c| c.is_finite()) {
         return Jacobian::Undecided;
     }
     let mut result = Jacobian::Positive;
     for part in 0..8 {
-        let mut half = coefficients.to_vec();
+        let mut half = coefficients.clone();
         for axis in 0..3 {
-            halve(&mut half, axis, part >> axis & 1);
+            half.halve(axis, part >> axis & 1);
         }
         match decide(&half, doubt, depth - 1) {
             Jacobian::Folded => return Jacobian::Folded,
@@ -152,39 +154,13 @@ fn decide(coefficients: &[f64], doubt: f64, depth: usize) -> Jacobian {
     result
 }
 
-/// The coefficients over one half of the cell along an axis, by de Casteljau's algorithm.
-fn halve(values: &mut [f64], axis: usize, side: usize) {
-    let strides = [1, N, N * N];
-    let (p, q) = (strides[(axis + 1) % 3], strides[(axis + 2) % 3]);
-    for a in 0..N {
-        for b in 0..N {
-            let start = a * p + b * q;
-            let mut line: [f64; N] = std::array::from_fn(|k| values[start + k * strides[axis]]);
-            for round in 1..N {
-                if side == 0 {
-                    for k in (round..N).rev() {
-                        line[k] = 0.5 * (line[k] + line[k - 1]);
-                    }
-                } else {
-                    for k in 0..N - round {
-                        line[k] = 0.5 * (line[k] + line[k + 1]);
-                    }
-                }
-            }
-            for (k, value) in line.into_iter().enumerate() {
-                values[start + k * strides[axis]] = value;
-            }
-        }
-    }
-}
-
 /// Rounding of a control vector of a derivative, relative to the greatest one along its axis: 3 u for each component, and at most 24 halvings with
 /// three means in sequence, u each. Less than 128 u for vectors of three components, doubled.
 const LENGTH_ROUNDING: f64 = 256.0 * 1.110_223_024_625_156_5e-16;
 
 /// A box of parameters of a tricubic cell.
 pub(crate) struct CubicBox {
-    coefficients: Vec<f64>,
+    coefficients: Tensor<f64>,
     doubt: f64,
     /// The control vectors of the derivatives.
     slopes: [Tensor<DVec3>; 3],
@@ -202,10 +178,9 @@ impl CubicBox {
 
     fn part(&self, sides: [usize; 3]) -> Self {
         let mut coefficients = self.coefficients.clone();
-        let mut slopes =
-            self.slopes.each_ref().map(|slope| Tensor { size: slope.size, values: slope.values.clone() });
+        let mut slopes = self.slopes.clone();
         for (axis, side) in sides.into_iter().enumerate() {
-            halve(&mut coefficients, axis, side);
+            coefficients.halve(axis, side);
             for slope in &mut slopes {
                 slope.halve(axis, side);
             }
@@ -216,18 +191,14 @@ impl CubicBox {
 
 impl ParameterBox for CubicBox {
     fn coefficients(&self, mut act: impl FnMut(f64, f64)) {
-        let lengths = |axis: usize| {
-            let slope = &self.slopes[axis];
-            let values = slope
-                .places()
-                .map(|(at, v)| (v.length() + self.off[axis]) * Tensor::<f64>::weight(slope.size, at));
-            Tensor { size: slope.size, values: values.collect() }
-        };
+        let lengths =
+            |axis: usize| self.slopes[axis].mapped(|v, weight| (v.length() + self.off[axis]) * weight);
         let [a, b, c] = [0, 1, 2].map(lengths);
         let add = |sum: &mut f64, x: f64, y: f64| *sum += x * y;
         let sizes = product(&a, &product(&b, &c, 0.0, add), 0.0, add);
-        for (determinant, (at, size)) in self.coefficients.iter().zip(sizes.places()) {
-            act(determinant - self.doubt, size / Tensor::<f64>::weight(sizes.size, at));
+        let sizes = sizes.mapped(|size, weight| size / weight);
+        for (determinant, size) in self.coefficients.values.iter().zip(sizes.values) {
+            act(determinant - self.doubt, size);
         }
     }
 
@@ -239,7 +210,7 @@ impl ParameterBox for CubicBox {
             };
             let size: f64 =
                 self.slopes.iter().map(|slope| slope.values[corner(slope.size)].length()).product();
-            if size > 0.0 { self.coefficients[corner([N; 3])] / size } else { 0.0 }
+            if size > 0.0 { self.coefficients.values[corner([N; 3])] / size } else { 0.0 }
         };
         least(&std::array::from_fn::<f64, 8, _>(at))
     }
@@ -247,20 +218,6 @@ impl ParameterBox for CubicBox {
     fn divided(&self) -> [Self; 8] {
         std::array::from_fn(|k| self.part([k & 1, k >> 1 & 1, k >> 2]))
     }
-}
-
-/// The greatest length; infinite if one is no number.
-fn greatest(vectors: &[DVec3]) -> f64 {
-    let lengths = vectors.iter().map(|v| v.length());
-    lengths.fold(0.0, |most, length| {
-        if length <= most {
-            most
-        } else if length.is_nan() {
-            f64::INFINITY
-        } else {
-            length
-        }
-    })
 }
 
 /// The control vectors of the derivative along an axis.

@@ -1,6 +1,6 @@
 //! The Jacobian determinant of a trilinear cell: certificates over the whole cell, and quality.
 
-use crate::parameter_box::{ParameterBox, least};
+use crate::parameter_box::{ParameterBox, greatest, least};
 use glam::DVec3;
 
 /// What is known about the Jacobian determinant of a cell.
@@ -117,7 +117,7 @@ fn coefficients(corners: &[DVec3; 8]) -> (Coefficients, f64) {
     let [along_u, along_v, along_w] = &edges;
     let sum =
         means(|[b1, c1], [a1, c2], [a2, b2]| along_u[b1][c1].dot(along_v[a1][c2].cross(along_w[a2][b2])));
-    (sum, edges.iter().map(greatest).product())
+    (sum, edges.iter().map(|edges| greatest(edges.as_flattened())).product())
 }
 
 /// The Bernstein coefficients of a product of three functions that are linear along two axes each, from its values for each choice of their
@@ -160,7 +160,7 @@ impl LinearBox {
     pub(crate) fn new(corners: &[DVec3; 8]) -> Self {
         let (coefficients, scale) = coefficients(corners);
         let slopes = edges(corners);
-        let off = slopes.map(|edges| LENGTH_ROUNDING * greatest(&edges));
+        let off = slopes.map(|edges| LENGTH_ROUNDING * greatest(edges.as_flattened()));
         Self { coefficients, doubt: ROUNDING * scale, slopes, off }
     }
 
@@ -206,20 +206,6 @@ impl ParameterBox for LinearBox {
     fn divided(&self) -> [Self; 8] {
         std::array::from_fn(|k| self.part([k & 1, k >> 1 & 1, k >> 2]))
     }
-}
-
-/// The greatest length; infinite if one is no number.
-fn greatest(vectors: &[[DVec3; 2]; 2]) -> f64 {
-    let lengths = vectors.as_flattened().iter().map(|v| v.length());
-    lengths.fold(0.0, |most, length| {
-        if length <= most {
-            most
-        } else if length.is_nan() {
-            f64::INFINITY
-        } else {
-            length
-        }
-    })
 }
 
 /// The least scaled Jacobian at the 27 points of a cell whose coordinates are 0, ½ and 1: the determinant over the product of the

@@ -5,7 +5,7 @@
 //! have, they cover it again, so this ends, at the latest with the surface as it was.
 
 use super::candidates::Candidates;
-use super::connectivity::{DynamicMesh, NONE};
+use super::connectivity::DynamicMesh;
 use super::cover::{Cover, WitnessLists};
 use super::marked::Marked;
 use super::smooth::{Move, keeps_normal};
@@ -16,7 +16,7 @@ use pompeiu_core::spatial::bvh::{Slot, Workspace};
 use rayon::prelude::*;
 
 /// Pieces of a new face that are looked at before it counts as too far away.
-const MOST_PIECES: usize = 128;
+pub(super) const MOST_PIECES: usize = 128;
 
 /// Faces of the surface that are looked at for one of the input, at most.
 const MOST_CANDIDATES: usize = 64;
@@ -136,11 +136,6 @@ pub(super) fn move_all(
         }
     }
     Ok(moved)
-}
-
-/// Whether a vertex is part of the surface.
-pub(super) fn is_alive(mesh: &DynamicMesh, v: u32) -> bool {
-    mesh.outgoing[v as usize] != NONE
 }
 
 #[cfg(test)]

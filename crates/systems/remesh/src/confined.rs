@@ -1,6 +1,6 @@
 //! Remeshing whose every operation keeps the surface within a distance of the input.
 
-use super::batch::{is_alive, move_all};
+use super::batch::{MOST_PIECES, move_all};
 use super::candidates::Triangle;
 use super::connectivity::NONE;
 use super::cover::{Affected, Cover, Covering};
@@ -18,9 +18,6 @@ use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
 use rayon::prelude::*;
-
-/// Pieces of a new face that are looked at before it counts as too far away.
-const MOST_PIECES: usize = 128;
 
 /// Ways of a vertex that are shorter than this share of its target length are not worth a test.
 const SHORT_WAY: f64 = 0.1;
@@ -182,7 +179,7 @@ impl<'r> Confined<'r> {
             let least = SHORT_WAY * self.surface.length[i];
             let is_far = || from.distance_squared(position) > least * least;
             (self.open[i]
-                && is_alive(&self.surface.mesh, v)
+                && self.surface.mesh.has_faces(v)
                 && is_far()
                 && self.may_leave(&there, v, workspace))
             .then(|| Move { position, near: there.near[i], length: there.length[i] })

@@ -137,17 +137,10 @@ impl Cover {
         let faces: Vec<u32> = (0..cover.faces.len() as u32).collect();
         let found = cover.found_on(mesh, &faces, limit * limit)?;
         for (f, by) in (0..).zip(found) {
-            match by[..] {
-                [] => return Ok(None),
-                [one] => cover.witness[f as usize] = one,
-                _ => cover.witness[f as usize] = SEVERAL,
+            if by.is_empty() {
+                return Ok(None);
             }
-            for &g in &by {
-                cover.covers[g as usize].push(f);
-            }
-            if by.len() > 1 {
-                cover.several.insert(f, by);
-            }
+            cover.cover_by(f, by);
         }
         Ok(Some(cover))
     }
@@ -204,13 +197,18 @@ impl Cover {
         }
         for (f, by) in found.faces.into_iter().zip(found.witnesses) {
             self.several.remove(&f);
-            for &g in &by {
-                self.covers[g as usize].push(f);
-            }
-            self.witness[f as usize] = if let [one] = by[..] { one } else { SEVERAL };
-            if by.len() > 1 {
-                self.several.insert(f, by);
-            }
+            self.cover_by(f, by);
+        }
+    }
+
+    /// Notes the faces that cover a face of the input.
+    fn cover_by(&mut self, f: u32, by: Vec<u32>) {
+        for &g in &by {
+            self.covers[g as usize].push(f);
+        }
+        self.witness[f as usize] = if let [one] = by[..] { one } else { SEVERAL };
+        if by.len() > 1 {
+            self.several.insert(f, by);
         }
     }
 

@@ -152,7 +152,7 @@ impl Held {
                     own => Hold::Curve(own),
                 },
             };
-            open[v] = own != *now && surface.mesh.outgoing[v] != NONE;
+            open[v] = own != *now && surface.mesh.has_faces(v as u32);
             *now = own;
         }
         for _ in 0..RINGS {
@@ -202,7 +202,7 @@ mod tests {
                 libm::atan2(p.y, p.x).rem_euclid(std::f64::consts::PI / 6.0) - std::f64::consts::PI / 12.0;
             (p.x.hypot(p.y) * angle.cos() - (std::f64::consts::PI / 12.0).cos()).abs() < 1e-12
         };
-        let used = (0..held.surface.hold.len()).filter(|&v| held.surface.mesh.outgoing[v] != NONE);
+        let used = (0..held.surface.hold.len()).filter(|&v| held.surface.mesh.has_faces(v as u32));
         assert!(used.map(|v| held.surface.mesh.positions[v]).all(|p| on_facets(&p)), "no facet is left");
         let (surface, open) = held.release();
         surface.assert_valid();

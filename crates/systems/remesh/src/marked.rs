@@ -219,7 +219,7 @@ impl Marked {
                 ends[self.mesh.to(h) as usize].push(curve);
             }
         }
-        for (v, ends) in ends.iter().enumerate().filter(|(v, _)| self.mesh.outgoing[*v] != NONE) {
+        for (v, ends) in ends.iter().enumerate().filter(|(v, _)| self.mesh.has_faces(*v as u32)) {
             match self.hold[v] {
                 Hold::Free => assert!(ends.is_empty(), "vertex {v} is free on {ends:?}"),
                 Hold::Curve(c) => assert_eq!(ends[..], [c, c], "vertex {v}"),
@@ -252,7 +252,7 @@ mod tests {
             let mesh = DynamicMesh::new(mesh.positions(), mesh.faces()).expect("a manifold");
             let curves = Curves::find(&mesh, &Features { angle: Some(30.0), ..Features::default() });
             let corners = |s: &Marked| {
-                let alive = (0..s.hold.len()).filter(|&v| s.mesh.outgoing[v] != NONE);
+                let alive = (0..s.hold.len()).filter(|&v| s.mesh.has_faces(v as u32));
                 let corners = alive.filter(|&v| s.hold[v] == Hold::Corner);
                 let mut places: Vec<_> =
                     corners.map(|v| s.mesh.positions[v].to_array().map(f64::to_bits)).collect();

@@ -1,6 +1,6 @@
 //! How good the triangles of a mesh are.
 
-use super::connectivity::{ConnectivityError, DynamicMesh, NONE};
+use super::connectivity::{ConnectivityError, DynamicMesh};
 use super::isotropic::{LONGEST, SHORTEST};
 use glam::DVec3;
 use pompeiu_core::TriMesh;
@@ -79,7 +79,7 @@ impl Quality {
         let faces = (0..mesh.halfedge_slots() / 3).filter(|&f| mesh.exists(3 * f));
         let angles: Vec<[f64; 3]> =
             faces.map(|f| angles(mesh.corners(f).map(|v| mesh.positions[v as usize]))).collect();
-        let valences = (0..mesh.positions.len() as u32).filter(|&v| mesh.outgoing[v as usize] != NONE);
+        let valences = (0..mesh.positions.len() as u32).filter(|&v| mesh.has_faces(v));
         let excess: Vec<usize> =
             valences.map(|v| mesh.neighbours(v).count().abs_diff(mesh.regular_valence(v))).collect();
         let share = |most: usize| excess.iter().filter(|&&x| x <= most).count() as f64 / excess.len() as f64;

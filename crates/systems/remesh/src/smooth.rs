@@ -82,7 +82,7 @@ fn stay(surface: &Marked, v: u32) -> Move {
 pub(super) fn relaxed(surface: &Marked, rings: &Rings, v: u32) -> Move {
     let mesh = &surface.mesh;
     let still = stay(surface, v);
-    if mesh.outgoing[v as usize] == NONE {
+    if !mesh.has_faces(v) {
         return still;
     }
     let p = still.position;
@@ -141,7 +141,7 @@ pub(super) fn projected(
 ) -> Move {
     let mesh = &surface.mesh;
     let still = stay(surface, v);
-    if mesh.outgoing[v as usize] == NONE {
+    if !mesh.has_faces(v) {
         return still;
     }
     let p = match surface.hold[v as usize] {
