@@ -97,6 +97,7 @@ class NeuronRun:
     def html(self, name: str) -> str: ...
 
 class NeuronHexahedra:
+    def is_within(self) -> Optional[bool]: ...
     def transport(
         self,
         config: str,

@@ -376,14 +376,7 @@ class NeuronMesh:
 
         ``None`` where neither is proven, and for a mesh that was not made from a skeleton.
         """
-        wall = self.report.get("wall")
-        if wall is None:
-            return None
-        distances = [wall["wall_to_cones"], wall["cones_to_wall"]]
-        # An upper bound that is not known is infinite, and null in the report.
-        if all(d["upper_radii"] is not None and d["upper_radii"] <= wall["within"] for d in distances):
-            return True
-        return False if any(d["lower_radii"] > wall["within"] for d in distances) else None
+        return self._mesh.is_within()
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the mesh as a ``.vtu`` file."""

@@ -12,8 +12,8 @@ use pompeiu::core::run::Limits;
 use pompeiu::neuron::{
     Ends, MaterialCells, MeshError, MeshOptions, NeuronAnswer, NeuronMesh, NeuronRequest, NeuronRequestError,
     NeuronSource, Preparation, Side, Skeleton, SkeletonReport, SmoothOptions, SplineReport, SwcError, SwcRow,
-    TransportOptions, Transported, mesh_neuron, prepare, read_transport_config, refined_vtu, transport,
-    write_swc,
+    TransportOptions, Transported, WallDistance, mesh_neuron, prepare, read_transport_config, refined_vtu,
+    transport, write_swc,
 };
 use pompeiu::volume::HexMesh;
 use pyo3::prelude::*;
@@ -174,6 +174,12 @@ pub(crate) fn neuron_options(
 
 #[pymethods]
 impl NeuronHexahedra {
+    /// Whether the wall is proven to be within the tolerated distance of the cones, or not to be; `None` where neither is proven or
+    /// nothing was compared.
+    fn is_within(&self) -> Option<bool> {
+        self.0.report.wall.as_ref().and_then(WallDistance::is_within)
+    }
+
     /// Lets material diffuse and be carried through the mesh; goes on from a state.
     fn transport<'py>(
         slf: &Bound<'py, Self>,
