@@ -34,11 +34,11 @@ class Repaired(_Within):
     Attributes
     ----------
     mesh : Mesh
-        The result: a manifold with boundary, oriented where that is possible. Faces that were kept keep their order.
+        The result: an oriented manifold with boundary. Faces that were kept keep their order.
     changes : dict of str to Change
         What was done or found at least once, in the order of the operations: ``"unreferenced_vertices"``,
         ``"welded_vertices"``, ``"degenerate_faces"``, ``"duplicate_faces"``, ``"split_edges"``, ``"split_vertices"``,
-        ``"turned_faces"``, ``"non_orientable_components"``, ``"filled_holes"``, ``"holes_left"``.
+        ``"turned_faces"``, ``"non_orientable_components"``, ``"opened_edges"``, ``"filled_holes"``, ``"holes_left"``.
     faces_added : int
         Number of faces that fill holes: the last of the mesh.
     distance : Enclosure or None

@@ -65,8 +65,8 @@ pub enum SurfaceError {
     },
     /// The surface is not orientable.
     #[error(
-        "the surface is not orientable: following its faces from one to the next, faces {} and {} disagree at the edge \
-         from vertex {} to vertex {}; a surface with one side only must be cut open first, in an editor",
+        "the surface has one side only: following its faces from one to the next, faces {} and {} disagree at the edge \
+         from vertex {} to vertex {}; `pompeiu repair` cuts it open",
         faces[0], faces[1], ends[0], ends[1]
     )]
     NonOrientable {

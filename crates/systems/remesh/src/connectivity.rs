@@ -21,7 +21,7 @@ pub enum ConnectivityError {
     /// Two faces run along an edge in the same direction: more than two faces meet there, or two are turned against each other.
     #[error(
         "faces {faces:?} both run from vertex {from} to vertex {to}: the edge is not manifold, or the faces are not oriented \
-         alike; `pompeiu repair` splits and orients such faces, unless the surface has one side only and must be cut open first"
+         alike; `pompeiu repair` splits and orients such faces, and cuts surfaces with one side only open"
     )]
     SharedHalfedge {
         /// Both faces.

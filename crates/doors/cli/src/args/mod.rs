@@ -5,6 +5,7 @@ mod jobs;
 mod limits;
 mod many;
 mod meshes;
+mod output;
 mod picture;
 mod selection;
 pub(crate) mod suffix;
@@ -14,6 +15,7 @@ pub(crate) use jobs::parse;
 pub(crate) use limits::Limits;
 pub(crate) use many::Many;
 pub(crate) use meshes::Meshes;
+pub(crate) use output::OutputFile;
 pub(crate) use picture::Picture;
 pub(crate) use selection::ForbidFile;
 

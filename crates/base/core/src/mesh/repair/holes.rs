@@ -30,10 +30,8 @@ pub(super) fn fill(parts: &mut Parts, most_edges: usize) -> Holes {
         taken.push(edge.ends);
         let mut faces = edge.faces();
         if let (Some(face), None) = (faces.next(), faces.next()) {
-            let [a, b, c] = parts.faces[face];
             let [low, high] = edge.ends;
-            let [from, to] =
-                if [[a, b], [b, c], [c, a]].contains(&edge.ends) { [high, low] } else { [low, high] };
+            let [from, to] = if parts.runs(face, edge.ends) { [high, low] } else { [low, high] };
             next[from as usize].push(to);
         }
     }
@@ -67,7 +65,7 @@ fn walk(start: u32, next: &[Vec<u32>], walked: &mut [bool], most: usize) -> Opti
     loop {
         let at = hole[hole.len() - 1];
         walked[at as usize] = true;
-        // In a component that is not orientable, boundary edges may have opposite directions.
+        // In a component with one side only, boundary edges may have opposite directions.
         let &[to] = &next[at as usize][..] else { return None };
         if to == start {
             break;

@@ -10,9 +10,9 @@
 //! | split | a vertex for every fan of faces around it, so that edges have two faces at most |
 //! | orient | faces that share an edge agree on its direction |
 //! | fill holes | triangles for boundary loops with few edges, of least area |
+//! | open | a cut along edges through each component with one side only, such as a Möbius strip |
 //!
-//! The result is a manifold with boundary, oriented where that is possible; components that are not orientable, such as a Möbius
-//! strip, are listed in the [`RepairReport`]. Positions change only by rounding and by welding within a length. Faces that are kept keep their
+//! The result is an oriented manifold with boundary. Positions change only by rounding and by welding within a length. Faces that are kept keep their
 //! order.
 
 mod degenerate;
@@ -130,7 +130,9 @@ pub struct Repaired {
 /// # Limits
 /// Repairing twice changes nothing the second time, unless holes were filled beside vertices that were split. Intersecting faces
 /// stay. Removing a degenerate face whose corners are three different points on a line leaves a slit without area. Splitting
-/// separates all faces at an edge with more than two faces, because nothing says which of them belong together.
+/// separates all faces at an edge with more than two faces, because nothing says which of them belong together. The cut through a component
+/// with one side only is not the shortest there is: it lies where neighbours disagree, or where a breadth-first search over the faces meets
+/// itself, along whichever of the two has fewer edges.
 ///
 /// # Errors
 /// [`RepairError`], with the numbers.
@@ -169,8 +171,9 @@ pub fn repair(mesh: &TriMesh, options: &RepairOptions) -> Result<Repaired, Repai
     let duplicate = duplicate::drop_faces(&mut parts);
     parts.drop_unreferenced();
     let (split_edges, split_vertices) = split::split(&mut parts);
-    let (turned, non_orientable) = orient::orient(&mut parts);
+    let (turned, one_sided) = orient::orient(&mut parts);
     let holes = holes::fill(&mut parts, options.fill_holes);
+    let opened = if one_sided.count > 0 { split::open_one_sided(&mut parts) } else { Change::default() };
     let report = RepairReport {
         unreferenced_vertices: unreferenced,
         welded,
@@ -179,7 +182,8 @@ pub fn repair(mesh: &TriMesh, options: &RepairOptions) -> Result<Repaired, Repai
         split_edges,
         split_vertices,
         turned_faces: turned,
-        non_orientable_components: non_orientable,
+        non_orientable_components: one_sided,
+        opened_edges: opened,
         filled_holes: holes.filled,
         holes_left: holes.left,
         faces_added: holes.faces_added,

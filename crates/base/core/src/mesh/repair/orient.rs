@@ -3,20 +3,16 @@
 use super::Change;
 use super::parts::Parts;
 
-/// Reverses the fewest faces of each component so that the two faces of every edge run along it in opposite directions; no edge may
-/// have more than two faces. Returns the faces that were reversed, and the components that are not orientable, which stay
-/// unchanged.
+/// Reverses faces of each component so that the two faces of every edge run along it in opposite directions; no edge may have more than
+/// two faces. Reverses these or all others, what is fewer. Returns the faces that were reversed, and the components with one side only. In
+/// these, neighbours still disagree where a breadth-first search met itself, or where they did before, if these are not more edges.
 pub(super) fn orient(parts: &mut Parts) -> (Change, Change) {
-    let runs_up = |face: usize, ends: [u32; 2]| {
-        let [a, b, c] = parts.faces[face];
-        [[a, b], [b, c], [c, a]].contains(&ends)
-    };
     // The neighbours of each face, and whether exactly one of the pair must be reversed.
     let mut neighbours: Vec<[Option<(usize, bool)>; 3]> = vec![[None; 3]; parts.faces.len()];
     for edge in parts.edges().iter() {
         let mut faces = edge.faces();
         if let (Some(f), Some(g)) = (faces.next(), faces.next()) {
-            let disagree = runs_up(f, edge.ends) == runs_up(g, edge.ends);
+            let disagree = parts.run_alike(edge.ends, f, g);
             for (of, neighbour) in [(f, g), (g, f)] {
                 if let Some(free) = neighbours[of].iter_mut().find(|place| place.is_none()) {
                     *free = Some((neighbour, disagree));
@@ -25,7 +21,7 @@ pub(super) fn orient(parts: &mut Parts) -> (Change, Change) {
         }
     }
     let mut turned: Vec<Option<bool>> = vec![None; parts.faces.len()];
-    let mut non_orientable = Change::default();
+    let mut one_sided = Change::default();
     let mut component = Vec::new();
     for seed in 0..parts.faces.len() {
         if turned[seed].is_some() {
@@ -34,24 +30,31 @@ pub(super) fn orient(parts: &mut Parts) -> (Change, Change) {
         turned[seed] = Some(false);
         component.clear();
         component.push(seed);
-        let (mut next, mut agree) = (0, true);
+        let mut next = 0;
         while let Some(&face) = component.get(next) {
             next += 1;
             for (neighbour, disagree) in neighbours[face].into_iter().flatten() {
-                let wanted = turned[face].map(|turn| turn != disagree);
                 if turned[neighbour].is_none() {
-                    turned[neighbour] = wanted;
+                    turned[neighbour] = turned[face].map(|turn| turn != disagree);
                     component.push(neighbour);
                 }
-                agree &= turned[neighbour] == wanted;
             }
         }
-        let turns = component.iter().filter(|&&face| turned[face] == Some(true)).count();
-        if !agree {
-            non_orientable.add(parts.place(seed));
-        }
+        // Neighbours that disagree as they are, and once faces are turned.
+        let (mut before, mut after) = (0, 0);
         for &face in &component {
-            turned[face] = turned[face].map(|turn| agree && turn != (2 * turns > component.len()));
+            for (neighbour, disagree) in neighbours[face].into_iter().flatten() {
+                before += usize::from(disagree);
+                after += usize::from((turned[face] != turned[neighbour]) != disagree);
+            }
+        }
+        if after > 0 {
+            one_sided.add(parts.place(seed));
+        }
+        let turns = component.iter().filter(|&&face| turned[face] == Some(true)).count();
+        let others = 2 * turns > component.len();
+        for &face in &component {
+            turned[face] = turned[face].map(|turn| before > after && turn != others);
         }
     }
     let places = (0..turned.len()).filter(|&f| turned[f] == Some(true)).map(|f| parts.place(f));
@@ -59,5 +62,5 @@ pub(super) fn orient(parts: &mut Parts) -> (Change, Change) {
     for (face, _) in parts.faces.iter_mut().zip(&turned).filter(|(_, turn)| **turn == Some(true)) {
         face.swap(1, 2);
     }
-    (change, non_orientable)
+    (change, one_sided)
 }

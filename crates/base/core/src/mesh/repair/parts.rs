@@ -19,6 +19,17 @@ impl Parts {
         self.positions[self.faces[face][0] as usize]
     }
 
+    /// Whether a face runs along one of its edges from the first of these ends to the second.
+    pub(super) fn runs(&self, face: usize, ends: [u32; 2]) -> bool {
+        let [a, b, c] = self.faces[face];
+        [[a, b], [b, c], [c, a]].contains(&ends)
+    }
+
+    /// Whether two faces run along their common edge in the same direction, so that one of them is turned over.
+    pub(super) fn run_alike(&self, ends: [u32; 2], f: usize, g: usize) -> bool {
+        self.runs(f, ends) == self.runs(g, ends)
+    }
+
     /// Keeps the faces for which `keep` holds, by their number.
     pub(super) fn keep_faces(&mut self, keep: impl Fn(usize) -> bool) -> Change {
         let dropped = Change::of((0..self.faces.len()).filter(|&f| !keep(f)).map(|f| self.place(f)));

@@ -50,8 +50,10 @@ pub struct RepairReport {
     pub split_vertices: Change,
     /// Faces whose orientation was reversed: the fewest in each component.
     pub turned_faces: Change,
-    /// Components that cannot be oriented, left as they were.
+    /// Components with one side only, which have no orientation before they are cut open.
     pub non_orientable_components: Change,
+    /// Edges along which these components were cut open.
+    pub opened_edges: Change,
     /// Boundary loops that were filled.
     pub filled_holes: Change,
     /// Boundary loops with few enough edges that could not be filled: every triangulation has a degenerate face or an edge that is
@@ -71,6 +73,7 @@ impl RepairReport {
             &self.duplicate_faces,
             &self.split_vertices,
             &self.turned_faces,
+            &self.opened_edges,
             &self.filled_holes,
         ]
         .into_iter()

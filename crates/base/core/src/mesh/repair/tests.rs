@@ -1,5 +1,5 @@
 use super::*;
-use crate::mesh::shapes::{cube, icosphere, torus};
+use crate::mesh::shapes::{cube, icosphere, mobius_strip, torus};
 use crate::mesh::{Affine, MeshSummary, Random, merge, shuffle, transform, unweld, without_unreferenced};
 
 fn mesh(positions: &[[f64; 3]], faces: &[[u32; 3]]) -> TriMesh {
@@ -13,8 +13,9 @@ fn repaired(mesh: &TriMesh, options: RepairOptions) -> Repaired {
     assert_eq!(topology.non_manifold_edges, 0);
     assert_eq!(topology.non_manifold_vertices, 0);
     assert_eq!([summary.degenerate_faces, summary.duplicate_faces, summary.unreferenced_vertices], [0; 3]);
-    let non_orientable = repaired.report.non_orientable_components.count;
-    assert_eq!(topology.inconsistent_edges > 0, non_orientable > 0);
+    assert_eq!(topology.inconsistent_edges, 0);
+    let one_sided = repaired.report.non_orientable_components.count;
+    assert_eq!(repaired.report.opened_edges.count > 0, one_sided > 0);
     if repaired.report.filled_holes.count == 0 {
         let again = repair(&repaired.mesh, &options).unwrap();
         assert_eq!(again.mesh, repaired.mesh, "repaired twice");
@@ -126,23 +127,39 @@ fn the_fewest_faces_are_turned() {
 }
 
 #[test]
-fn a_moebius_strip_is_named_and_left() {
-    let positions: Vec<_> = (0..10)
-        .map(|i| {
-            let angle = std::f64::consts::TAU * f64::from(i / 2) / 5.0;
-            let side = if i % 2 == 0 { 0.3 } else { -0.3 };
-            let (r, z) = (2.0 + side * (angle / 2.0).cos(), side * (angle / 2.0).sin());
-            [r * angle.cos(), r * angle.sin(), z]
-        })
-        .collect();
-    // Each pair of vertices with the next one, the last with the first one upside down.
-    let place = |i: u32| if i < 10 { i } else { 11 - i };
-    let faces: Vec<_> = (0..10).map(|i| [place(i), place(i + 1), place(i + 2)]).collect();
-    let strip = mesh(&positions, &faces);
-    assert!(!MeshSummary::of(&strip).connectivity.orientable);
+fn surfaces_with_one_side_are_cut_open() {
+    let strip = mobius_strip(2.0, 0.3, 12, 3).unwrap();
+    let summary = MeshSummary::of(&strip);
+    assert!(!summary.connectivity.orientable);
     let found = repaired(&strip, RepairOptions::default());
     assert_eq!(found.report.non_orientable_components.count, 1);
-    assert_eq!(found.mesh, strip);
+    let opened = MeshSummary::of(&found.mesh);
+    // A disk: the strip, whose Euler characteristic is 0, cut once from side to side.
+    assert_eq!((opened.connectivity.boundary_loops, opened.connectivity.genus), (1, Some(0)));
+    assert_eq!((found.mesh.faces().len(), opened.area), (strip.faces().len(), summary.area));
+    assert_eq!(found.report.opened_edges.count, 3);
+
+    // The projective plane of six vertices has no boundary; a cut along a curve with one side makes a disk of it.
+    let corners =
+        [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 2.0], [2.0, 1.0, 1.0]];
+    let faces = [
+        [0, 1, 2],
+        [0, 2, 3],
+        [0, 3, 4],
+        [0, 4, 5],
+        [0, 5, 1],
+        [1, 2, 4],
+        [2, 3, 5],
+        [3, 4, 1],
+        [4, 5, 2],
+        [5, 1, 3],
+    ];
+    let plane = mesh(&corners, &faces);
+    for fill_holes in [0, 256] {
+        let found = repaired(&plane, RepairOptions { fill_holes, ..RepairOptions::default() });
+        let opened = MeshSummary::of(&found.mesh).connectivity;
+        assert_eq!((opened.boundary_loops, opened.genus, found.report.faces_added), (1, Some(0), 0));
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Options of the convert command.
 
+use crate::args::OutputFile;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -18,7 +19,6 @@ pub(crate) struct Convert {
     /// The mesh file to read
     #[arg(value_name = "IN")]
     pub(crate) input: PathBuf,
-    /// The mesh file to write
-    #[arg(value_name = "OUT")]
-    pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) output: OutputFile,
 }

@@ -3,7 +3,7 @@
 mod text;
 
 use crate::appearance;
-use crate::args::{hold_in, suffix, tell};
+use crate::args::{OutputFile, hold_in, suffix, tell};
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::numbers::shortest;
@@ -20,7 +20,7 @@ pub(crate) type Repair = Invocation<Files>;
 #[command(after_help = "\
 In this order: drops vertices in no face, makes one vertex of those at one position, drops degenerate and duplicate faces, gives
 each fan of faces around a vertex a vertex of its own so that no edge has more than two faces, turns faces to agree, fills holes
-when asked. With --within the Pompeiu–Hausdorff distance of the result from the input is proven to be at most that length;
+when asked, cuts surfaces with one side only open. With --within the Pompeiu–Hausdorff distance of the result from the input is proven to be at most that length;
 otherwise nothing is written, and the exit code is 1.
 
 Examples:
@@ -32,9 +32,8 @@ pub(crate) struct Files {
     /// The mesh file to read
     #[arg(value_name = "IN")]
     input: PathBuf,
-    /// The mesh file to write
-    #[arg(value_name = "OUT")]
-    output: PathBuf,
+    #[command(flatten)]
+    output: OutputFile,
     /// Write a file from which anybody can prove anew that the result is within --within of the input, see `pompeiu verify`
     #[arg(long, value_parser = suffix::certificate, value_name = "FILE")]
     certificate: Option<PathBuf>,
@@ -44,9 +43,9 @@ impl System for Files {
     type Request = RepairRequest;
 
     fn check(&self, _: bool) -> anyhow::Result<()> {
-        files::check_writable(&self.output)?;
-        let outputs = [Some(&self.output), self.certificate.as_ref()];
-        files::check_places(outputs.into_iter().flatten().map(PathBuf::as_path), &[&self.input])
+        let output = self.output.path();
+        files::check_writable(output)?;
+        files::check_places([Some(output), self.certificate.as_deref()].into_iter().flatten(), &[&self.input])
     }
 
     fn run(
@@ -60,11 +59,12 @@ impl System for Files {
             request.coordinates.center,
         )?;
         let mesh = session.read_mesh(&self.input)?;
-        hold_in(&self.output, &mut request.coordinates);
+        let output = self.output.path();
+        hold_in(output, &mut request.coordinates);
         let found = request.run(&mesh, &session.context());
         let mut found = found.with_context(|| self.input.display().to_string())?;
         session.stop_waiting();
-        files::refuse_joined(&self.output, &found.report.rounding.written(&found.mesh)?)?;
+        files::refuse_joined(output, &found.report.rounding.written(&found.mesh)?)?;
         let is_changed =
             found.mesh.faces() != mesh.faces() || found.mesh.positions().len() != mesh.positions().len();
         let attributes = if is_changed {
@@ -72,7 +72,7 @@ impl System for Files {
             appearance::leave_out(&self.input, &mesh, why, session.printer)?;
             Attributes::for_mesh(&found.mesh)
         } else {
-            let looks = appearance::read(&self.input, &mesh, &self.output, session.printer)?;
+            let looks = appearance::read(&self.input, &mesh, output, session.printer)?;
             appearance::of_same_faces(looks, &found.mesh)?
         };
         if let (true, Some(path), Some(within)) =
@@ -82,13 +82,13 @@ impl System for Files {
             found.report.certificate = Some(answer);
         }
         if found.report.written {
-            tell(&self.output, &found.report.rounding, session.printer);
+            tell(output, &found.report.rounding, session.printer);
             let rounding = &found.report.rounding;
-            files::write_shifted(&self.output, &found.mesh, &attributes, rounding, session.printer)?;
+            files::write_shifted(output, &found.mesh, &attributes, rounding, session.printer)?;
         } else if let Some(within) = found.report.within {
             session.printer.warning(format_args!(
                 "{}: not written, for the result is not proven to be within {} of the input; allow more, or repair less",
-                self.output.display(),
+                output.display(),
                 shortest(within)
             ));
         }

@@ -25,7 +25,7 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
     let found = &answer.report;
     row("result", &counts([found.vertices, found.faces]));
     let report = &found.repair;
-    let changes: [(&Change, [&str; 2], &str); 10] = [
+    let changes: [(&Change, [&str; 2], &str); 11] = [
         (&report.unreferenced_vertices, ["vertex", "vertices"], "in no face dropped"),
         (&report.welded, ["vertex", "vertices"], "made one with an earlier vertex"),
         (&report.degenerate_faces, ["face", "faces"], "of area zero dropped"),
@@ -33,11 +33,8 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
         (&report.split_edges, ["edge", "edges"], "with more than two faces cut apart"),
         (&report.split_vertices, ["vertex", "vertices"], "split into one for each fan of faces"),
         (&report.turned_faces, ["face", "faces"], "turned"),
-        (
-            &report.non_orientable_components,
-            ["component", "components"],
-            "left, because no orientation exists",
-        ),
+        (&report.non_orientable_components, ["component", "components"], "with one side only cut open"),
+        (&report.opened_edges, ["edge", "edges"], "cut apart for that"),
         (&report.filled_holes, ["hole", "holes"], "filled"),
         (
             &report.holes_left,
