@@ -387,14 +387,16 @@ def remesh(
 ) -> Remeshed:
     """Gives a surface nearly equilateral faces of a wanted size.
 
-    One of ``edge_length``, ``relative`` and ``adaptive`` is given.
+    Of ``edge_length``, ``relative`` and ``adaptive`` at most one is given; without any, edges are as long as those of the mesh in the
+    mean.
 
     Parameters
     ----------
     mesh : MeshLike
         An oriented manifold.
     edge_length : Union[float, str], optional
-        Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal.
+        Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal; by default the mean of those of the
+        mesh.
     relative : float, optional
         Length of edges as a fraction of the diagonal of the bounding box.
     adaptive : Union[float, str], optional
@@ -433,7 +435,7 @@ def remesh(
     SurfaceError
         If the mesh is no oriented manifold.
     OptionError
-        If not exactly one of ``edge_length``, ``relative`` and ``adaptive`` is given, or an option makes no sense.
+        If more than one of ``edge_length``, ``relative`` and ``adaptive`` is given, or an option makes no sense.
 
     Examples
     --------

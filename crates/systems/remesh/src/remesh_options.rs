@@ -143,9 +143,9 @@ pub enum RemeshError {
     /// What is to be kept makes no sense.
     #[error(transparent)]
     Features(#[from] FeatureError),
-    /// No size is asked for, or more than one.
-    #[error("the size of faces is given in one way: edge_length, relative or adaptive; choose one")]
-    OneSize,
+    /// More than one size is asked for.
+    #[error("the size of faces is given in more than one way: edge_length, relative or adaptive; choose one")]
+    SeveralSizes,
     /// Edges would be longer than the mesh.
     #[error(
         "edges of length {length} are longer than the diagonal of the bounding box, {diagonal}; ask for less"

@@ -24,7 +24,7 @@ const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RemeshRequest {
-    /// Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal.
+    /// Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal; by default the mean of those of the mesh.
     #[cfg_attr(feature = "clap", arg(long, allow_negative_numbers = true, value_name = "LENGTH"))]
     pub edge_length: Option<Length>,
     /// Length of edges as a fraction of the diagonal of the bounding box.
@@ -157,17 +157,20 @@ impl RemeshRequest {
         let in_unit = |length: &Option<Length>| {
             length.as_ref().map(|length| length.of(&self.unit, diagonal)).transpose()
         };
-        let edge_length = in_unit(&self.edge_length)?.or_else(|| self.relative.map(|share| share * diagonal));
         let within = in_unit(&self.within)?;
-        let chord_height = in_unit(&self.adaptive)?;
-        let sizing = match (edge_length, chord_height) {
-            (Some(length), None) if self.edge_length.is_none() || self.relative.is_none() => {
-                Sizing::Length(length)
-            }
-            (None, Some(tolerance)) => {
+        let sizing = match (in_unit(&self.edge_length)?, self.relative, in_unit(&self.adaptive)?) {
+            (None, None, None) => Sizing::Length(Quality::of(mesh)?.edge_length.mean),
+            (Some(length), None, None) => Sizing::Length(length),
+            (None, Some(share), None) => Sizing::Length(share * diagonal),
+            (None, None, Some(tolerance)) => {
                 Sizing::ChordHeight { tolerance, between: ADAPTIVE_BETWEEN.map(|share| share * diagonal) }
             }
-            _ => return Err(RemeshError::OneSize),
+            _ => return Err(RemeshError::SeveralSizes),
+        };
+        let (edge_length, chord_height) = match sizing {
+            Sizing::Length(length) => (Some(length), None),
+            Sizing::ChordHeight { tolerance, .. } => (None, Some(tolerance)),
+            Sizing::Field(_) => (None, None),
         };
         let options = RemeshOptions {
             features: Features { angle: self.features, edges, ..Features::default() },
@@ -205,15 +208,18 @@ mod tests {
     use pompeiu_core::mesh::shapes::icosphere;
 
     #[test]
-    fn one_size_is_asked_for() {
+    fn at_most_one_size_is_asked_for() {
         let sphere = icosphere(1.0, 1).expect("a sphere");
         let run = |request: RemeshRequest| request.run(&sphere, &RunContext::default());
         let one = RemeshRequest { relative: Some(0.2), ..RemeshRequest::default() };
         assert!(run(one.clone()).is_ok_and(|answer| answer.report.edge_length > Some(0.6)));
         let both = RemeshRequest { edge_length: Length::new(0.5).ok(), ..one.clone() };
         let adaptive = RemeshRequest { adaptive: Length::new(0.1).ok(), ..one };
-        for wrong in [RemeshRequest::default(), both, adaptive] {
-            assert_eq!(run(wrong).map(|answer| answer.report).unwrap_err(), RemeshError::OneSize);
+        for wrong in [both, adaptive] {
+            assert_eq!(run(wrong).map(|answer| answer.report).unwrap_err(), RemeshError::SeveralSizes);
         }
+        let default = run(RemeshRequest::default()).expect("a sphere of about as many faces").report;
+        assert_eq!(default.edge_length, Some(default.before.edge_length.mean));
+        assert_eq!(default.after.near_target, Some(1.0));
     }
 }

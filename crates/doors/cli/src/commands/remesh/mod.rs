@@ -18,7 +18,7 @@ pub(crate) type Remesh = Invocation<Files>;
 
 #[derive(Args)]
 #[command(after_help = "\
-One of --edge-length, --relative and --adaptive is given. Edges are split, collapsed and flipped, vertices move within the surface
+Of --edge-length, --relative and --adaptive at most one is given; without any, edges are as long as those of the mesh in the mean. Edges are split, collapsed and flipped, vertices move within the surface
 and onto the input. Topology, boundaries and the edges that --features names are kept. The Pompeiu–Hausdorff distance from the
 input is measured; with --within it is proven to be at most that length, for which edges are shortened where they must be; otherwise
 nothing is written. The mesh must be an oriented manifold, with or without boundary. Colours, texture coordinates and materials are
