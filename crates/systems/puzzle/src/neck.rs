@@ -5,7 +5,8 @@ use crate::space::Corner;
 use pompeiu_planar::{Point, segments_meet};
 use std::ops::Range;
 
-/// A part of a piece beyond a neck counts from this share of the mean area of a piece.
+/// A part of a piece beyond a neck counts from this share of the mean area of a piece, or from the square of the neck's width, whichever is
+/// less: a splinter that hangs by a hair breaks off however small it is.
 const PART: f64 = 0.005;
 
 /// Sides of a neck may approach each other by this much, relative to the way along them: corners are rounded to the lattice.
@@ -27,8 +28,8 @@ impl Puzzle {
     ///
     /// # Definition
     /// A neck is a segment within the piece whose length is a local minimum among segments with ends on the outline, and which has
-    /// more than half a per cent of the mean area of a piece on each side. A pointed corner is no neck, for it is narrower towards
-    /// its tip everywhere.
+    /// more than half a per cent of the mean area of a piece, or more than the square of its length, on each side. A pointed corner is no
+    /// neck, for it is narrower towards its tip everywhere.
     ///
     /// # Cost
     /// The square of the number of corners.
@@ -127,7 +128,7 @@ impl Sides {
                 let length = norm(minus(q.at, p.at));
                 let is_neck = length < width
                     && self.is_locally_least(p, q)
-                    && self.least_side(p, q) > least_part
+                    && self.least_side(p, q) > least_part.min(2.0 * length * length)
                     && self.is_within(p, q);
                 if is_neck {
                     width = length;
@@ -265,8 +266,15 @@ mod tests {
         let notch = |y: i64| [[0, 0], [100, 0], [100, 100], [0, 100], [0, y + 10], [96, y], [0, y - 10]];
         let neck = least(&notch(50)).unwrap();
         assert_eq!((neck.width, neck.ends), (4.0, [[96.0, 50.0], [100.0, 50.0]]));
-        let sliver = [[0, 0], [1000, 0], [1000, 1000], [0, 1000], [0, 15], [960, 6], [0, 6]];
-        assert_eq!(least(&sliver), None, "less than a hundredth is below");
+        // Below a slit of length 12 there is far less than a hundredth: a block that is shorter than it is high, or a splinter.
+        let slit = |y: i64| [[0, 0], [1000, 0], [1000, 1000], [0, 1000], [0, y + 5], [12, y], [0, y]];
+        let width = |y: i64| least(&slit(y)).map(|neck| neck.width);
+        assert_eq!(
+            width(20),
+            Some(988.0),
+            "less than the square of the width is below; right of it there is much"
+        );
+        assert_eq!(width(4), Some(4.0), "a splinter");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use pompeiu_core::run::Control;
 use pompeiu_planar::Point;
 
 /// Heights of tabs to try, relative to the mean side of a piece.
-const HEIGHTS: [f64; 6] = [0.30, 0.25, 0.20, 0.15, 0.11, 0.08];
+const HEIGHTS: [f64; 7] = [0.30, 0.25, 0.20, 0.15, 0.11, 0.08, 0.06];
 
 /// Half the width of the foot of a tab, relative to the height.
 const FOOT: f64 = 0.30;
