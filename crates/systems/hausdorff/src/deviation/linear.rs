@@ -9,7 +9,7 @@ use pompeiu_core::exact::Interval;
 pub(super) type Corners = [f64; 3];
 
 /// More than the relative rounding of any of the few operations below added up.
-const FEW_OPERATIONS: f64 = 16.0 * f64::EPSILON;
+pub(super) const FEW_OPERATIONS: f64 = 16.0 * f64::EPSILON;
 
 pub(super) fn lesser(x: f64, y: f64) -> f64 {
     if y < x { y } else { x }
