@@ -109,7 +109,7 @@ fn truth(page: &DeviationContent) -> serde_json::Value {
             |stage: &SearchStage| json!({ "count": stage.remaining.len(), "distance": stage.distance });
         json!({
             "name": surface.name, "faces": surface.faces,
-            "corners": surface.triangles.corners, "values": deviation.values, "bounds": deviation.face_bounds,
+            "corners": surface.triangles.corners.iter().map(|at| at.map(|v| surface.triangles.positions[v as usize])).collect::<Vec<_>>(), "values": deviation.values, "bounds": deviation.face_bounds,
             "distance": deviation.distance, "witness": [deviation.witness.from, deviation.witness.to],
             "exceedance": { "at": deviation.exceedance.distances, "fractions": deviation.exceedance.fractions },
             "statistics": deviation.statistics.iter().map(|s| json!([s.0, s.1])).collect::<Vec<_>>(),
@@ -247,7 +247,8 @@ fn measured(
         vertices: triangles.len() / 2,
         faces: triangles.len(),
         triangles: DisplayTriangles {
-            corners: triangles.iter().map(|t| t.map(shift)).collect(),
+            positions: triangles.as_flattened().iter().copied().map(shift).collect(),
+            corners: (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
             faces: (0..triangles.len() as u32).collect(),
             groups: None,
         },

@@ -167,7 +167,10 @@ impl PlacedMesh {
     pub(super) fn points(&self) -> Vec<[f64; 3]> {
         match &self.geometry {
             Geometry::Triangles(mesh) => {
-                mesh.triangles.as_flattened().iter().map(|&v| mesh.positions[v as usize]).collect()
+                let mut is_used = vec![false; mesh.positions.len()];
+                mesh.triangles.as_flattened().iter().for_each(|&v| is_used[v as usize] = true);
+                let used = mesh.positions.iter().zip(is_used).filter(|(_, is_used)| *is_used);
+                used.map(|(position, _)| *position).collect()
             }
             Geometry::Moved { positions, .. } => positions.clone(),
             Geometry::Polygons { polygons, .. } => {
@@ -194,20 +197,11 @@ impl SharedCorners {
     /// Merges corners whose rounded positions and values agree bit for bit. Different mesh vertices are not merged if `apart`, that
     /// is if there are values per vertex.
     pub(super) fn new(mesh: &Mesh, placement: Placement, apart: bool, values: &[&MeshValues]) -> Self {
-        let of_corners = mesh.triangles.as_flattened();
-        let mut vertices = vec![];
-        let place_of = if apart {
-            numbered(of_corners.iter().copied(), |i| vertices.push(of_corners[i]))
-        } else {
-            let position = |&v: &u32| placement.place(mesh.positions[v as usize]).map(f32::to_bits);
-            numbered(of_corners.iter().map(position), |i| vertices.push(of_corners[i]))
-        };
+        let (vertices, place_of) = placed_corners(mesh, placement, apart);
         let mut indices = place_of.clone();
         for values in values {
             for component in 0..values.width() {
-                let bits = |i: usize| values.at(i, component).to_bits();
-                let pairs: Vec<_> = indices.iter().enumerate().map(|(i, &index)| (index, bits(i))).collect();
-                indices = numbered(pairs.into_iter(), |_| ());
+                indices = divided(&indices, |i| values.at(i, component).to_bits());
             }
         }
         let (mut places, mut first) = (vec![], vec![]);
@@ -221,21 +215,54 @@ impl SharedCorners {
     }
 }
 
-/// Numbers keys in the order of their first occurrence, and reports each of these.
-fn numbered<K: std::hash::Hash + Eq>(
-    keys: impl ExactSizeIterator<Item = K>,
-    mut first: impl FnMut(usize),
-) -> Vec<u32> {
-    let mut known = FxHashMap::with_capacity_and_hasher(keys.len() / 4, FxBuildHasher);
-    let mut numbers = Vec::with_capacity(keys.len());
-    for (i, key) in keys.enumerate() {
-        let next = known.len() as u32;
-        numbers.push(*known.entry(key).or_insert_with(|| {
-            first(i);
-            next
-        }));
-    }
-    numbers
+/// No number yet.
+const NONE: u32 = u32::MAX;
+
+/// The number of the rounded position of each corner, in the order of first use, and the first vertex at each. Every vertex has a number of
+/// its own if `apart`.
+fn placed_corners(mesh: &Mesh, placement: Placement, apart: bool) -> (Vec<u32>, Vec<u32>) {
+    let (mut vertices, mut number_of) = (vec![], vec![NONE; mesh.positions.len()]);
+    let mut known = FxHashMap::with_capacity_and_hasher(mesh.positions.len(), FxBuildHasher);
+    let number = |&v: &u32| {
+        let number = &mut number_of[v as usize];
+        if *number == NONE {
+            let next = vertices.len() as u32;
+            *number = if apart {
+                next
+            } else {
+                let place = placement.place(mesh.positions[v as usize]).map(f32::to_bits);
+                *known.entry(place).or_insert(next)
+            };
+            if *number == next {
+                vertices.push(v);
+            }
+        }
+        *number
+    };
+    let numbers = mesh.triangles.as_flattened().iter().map(number).collect();
+    (vertices, numbers)
+}
+
+/// Numbers pairs of an index and of what `key` gives for its place, in the order of their first occurrence. Indices are numbers in the order
+/// of first use, and most have one key.
+fn divided(indices: &[u32], key: impl Fn(usize) -> u64) -> Vec<u32> {
+    let mut first: Vec<(u64, u32)> = vec![];
+    let mut others = FxHashMap::default();
+    let mut count = 0;
+    let number = |(i, &index): (usize, &u32)| {
+        let key = key(i);
+        let number = match first.get(index as usize) {
+            None => {
+                first.push((key, count));
+                count
+            }
+            Some((known, number)) if *known == key => *number,
+            Some(_) => *others.entry((index, key)).or_insert(count),
+        };
+        count += u32::from(number == count);
+        number
+    };
+    indices.iter().enumerate().map(number).collect()
 }
 
 impl PlacedMesh {

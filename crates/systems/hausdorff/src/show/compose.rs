@@ -59,7 +59,8 @@ impl DeviationContent {
         let space = page.add_space(Space::Spatial(self.up));
         let mesh = |page: &mut Page, i: usize| {
             let MeasuredSurface { triangles, faces, .. } = &self.surfaces[i];
-            let mesh = Mesh::from_corners(self.label(i), &triangles.corners);
+            let (positions, corners) = (triangles.positions.clone(), triangles.corners.clone());
+            let mesh = Mesh::new(self.label(i), positions, corners);
             let mesh = match triangles.groups {
                 Some(groups) => {
                     mesh.with_faces(triangles.faces.clone(), groups).with_element("group of faces")

@@ -18,14 +18,14 @@ use pompeiu_figures::page::{Axis, Banner, Bounds, PointPair};
 /// use pompeiu_figures::page::{PageError, PointPair};
 /// use pompeiu_hausdorff::show::{DeviationContent, DisplayTriangles, MeasuredSurface, SurfaceDeviation};
 ///
-/// let corners = vec![[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]];
-/// let shifted = vec![corners[0].map(|[x, y, z]| [x, y, z + 0.5])];
-/// let surface = |name: &str, corners, deviation| MeasuredSurface {
+/// let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+/// let shifted = positions.iter().map(|[x, y, z]| [*x, *y, z + 0.5]).collect();
+/// let surface = |name: &str, positions, deviation| MeasuredSurface {
 ///     name: name.into(),
 ///     path: format!("parts/{name}"),
 ///     vertices: 3,
 ///     faces: 1,
-///     triangles: DisplayTriangles { corners, faces: vec![0], groups: None },
+///     triangles: DisplayTriangles { positions, corners: vec![[0, 1, 2]], faces: vec![0], groups: None },
 ///     deviation,
 /// };
 /// let deviation = SurfaceDeviation {
@@ -38,7 +38,7 @@ use pompeiu_figures::page::{Axis, Banner, Bounds, PointPair};
 /// let content = DeviationContent {
 ///     title: "A plate, and where it should be".into(),
 ///     unit: "mm".into(),
-///     surfaces: [surface("a.stl", corners, Some(deviation)), surface("b.stl", shifted, None)],
+///     surfaces: [surface("a.stl", positions, Some(deviation)), surface("b.stl", shifted, None)],
 ///     ..DeviationContent::default()
 /// };
 /// assert!(content.page()?.html().contains("A plate"));
@@ -101,8 +101,10 @@ pub struct MeasuredSurface {
 /// Triangles to draw: the faces, or parts of them where values bend inside a face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DisplayTriangles {
-    /// Corners of each.
-    pub corners: Vec<[[f64; 3]; 3]>,
+    /// Where corners are. Equal positions are one vertex on the page.
+    pub positions: Vec<[f64; 3]>,
+    /// The positions of the corners of each.
+    pub corners: Vec<[u32; 3]>,
     /// The face of the mesh that each is a part of.
     pub faces: Vec<u32>,
     /// Where a mesh has more faces than can be drawn, the number of groups of faces that are drawn as one each; then the numbers above and

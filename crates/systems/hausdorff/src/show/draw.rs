@@ -7,8 +7,9 @@
 
 use super::group::Groups;
 use super::snap::{Snap, rounded};
+use super::triangles::{Triangles, Vertices};
 use crate::PreparedPair;
-use crate::deviation::{DirectedDeviation, DisplayTriangle, Sides};
+use crate::deviation::{DirectedDeviation, Sides};
 use crate::engine::joint_frame;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits};
@@ -21,7 +22,7 @@ use std::collections::HashMap;
 /// What is drawn of a surface.
 pub(super) struct Drawing {
     /// Triangles with the distances at their corners; their faces are numbers of groups where faces are drawn by groups.
-    pub(super) triangles: Vec<DisplayTriangle>,
+    pub(super) triangles: Triangles,
     /// The group of each face; none where faces are drawn one by one.
     pub(super) groups: Option<Vec<u32>>,
     /// For each face or group, an enclosure of its largest distance.
@@ -40,7 +41,10 @@ pub(super) struct Style {
 /// Parts of an edge at most.
 const MOST_PARTS: u32 = 64;
 /// Faces of a task.
-const TASK: usize = 128;
+const TASK: usize = 512;
+/// Edges of which the distance in the middle is kept, and an odd number that spreads them.
+const EDGES: usize = 1024;
+const SPREAD: u32 = 0x9e37_79b1;
 
 impl Drawing {
     /// Draws what was measured of a pair in one direction. Limits end sampling: then faces are drawn whole.
@@ -58,16 +62,17 @@ impl Drawing {
             return Self { triangles, groups: Some(groups.of_faces), bounds };
         }
         let sampled = Sampler::sampled(found, pair, style, limits);
-        let mut triangles = Vec::with_capacity(mesh.faces().len());
+        let mut triangles = Triangles::with_capacity(mesh);
         let mut is_part = Vec::with_capacity(mesh.faces().len());
+        let mut vertices = Vertices::of(mesh);
         for (face, parts) in mesh.face_ids().zip(sampled) {
             is_part.resize(triangles.len() + parts.as_ref().map_or(1, Grid::triangles), parts.is_some());
-            let corners = snap.corners(mesh.corners(face));
             if let Some(grid) = parts {
-                grid.push(face, corners, &snap, &mut triangles);
+                grid.push(face, mesh.corners(face).map(|p| snap.position(p)), &snap, &mut triangles);
             } else {
-                let distances = mesh.faces()[face.index()].map(|v| snap.distance(found.vertices[v as usize]));
-                triangles.push(DisplayTriangle { face, corners, distances, error: style.tolerance });
+                let at = mesh.faces()[face.index()];
+                let corners = at.map(|v| vertices.place(v, &mut triangles, |p| snap.position(p)));
+                triangles.push(face.0, corners, at.map(|v| snap.distance(found.vertices[v as usize])));
             }
         }
         if let Some(sides) = &found.sides {
@@ -97,19 +102,13 @@ impl Grid {
 
     /// Adds the triangles of the grid. Points are exact where the number of parts is a power of two and corners are rounded, so that they
     /// lie on the edges of neighbours.
-    fn push(&self, face: FaceId, corners: [[f64; 3]; 3], snap: &Snap, triangles: &mut Vec<DisplayTriangle>) {
-        let points: Vec<([f64; 3], f64)> = Self::weights(self.parts)
-            .zip(&self.distances)
-            .map(|(weights, distance)| (between(corners, weights), snap.distance(*distance)))
-            .collect();
-        let place = |i: u32, j: u32| (i * (i + 1) / 2 + j) as usize;
-        let mut push = |places: [usize; 3]| {
-            triangles.push(DisplayTriangle {
-                face,
-                corners: places.map(|at| points[at].0),
-                distances: places.map(|at| points[at].1),
-                error: snap.tolerance(),
-            });
+    fn push(&self, face: FaceId, corners: [[f64; 3]; 3], snap: &Snap, triangles: &mut Triangles) {
+        let first = triangles.positions.len() as u32;
+        triangles.positions.extend(Self::weights(self.parts).map(|weights| between(corners, weights)));
+        let distances: Vec<f64> = self.distances.iter().map(|distance| snap.distance(*distance)).collect();
+        let place = |i: u32, j: u32| i * (i + 1) / 2 + j;
+        let mut push = |places: [u32; 3]| {
+            triangles.push(face.0, places.map(|at| first + at), places.map(|at| distances[at as usize]));
         };
         for i in 0..self.parts {
             for j in 0..=i {
@@ -187,7 +186,7 @@ impl Sampler<'_> {
     fn each<R: Send>(&self, faces: &[u32], look: impl Fn(u32, &mut Near) -> R + Sync) -> Vec<(u32, R)> {
         let of_task = |task: &[u32]| {
             let (workspace, hint) = (Workspace::default(), self.bvh.any_slot());
-            let mut near = Near { workspace, hint, edges: HashMap::new() };
+            let mut near = Near { workspace, hint, edges: vec![([u32::MAX; 2], 0.0); EDGES] };
             task.iter().map(|face| (*face, look(*face, &mut near))).collect::<Vec<_>>()
         };
         faces.par_chunks(TASK).flat_map_iter(of_task).collect()
@@ -237,12 +236,11 @@ impl Sampler<'_> {
             _ => [b, c],
         };
         let edge = [v.min(w), v.max(w)];
-        if let Some(distance) = near.edges.get(&edge) {
-            return *distance;
+        let place = edge[0].wrapping_mul(SPREAD).wrapping_add(edge[1]) as usize % EDGES;
+        if near.edges[place].0 != edge {
+            near.edges[place] = (edge, self.distance(point, near));
         }
-        let distance = self.distance(point, near);
-        near.edges.insert(edge, distance);
-        distance
+        near.edges[place].1
     }
 
     fn distance(&self, point: [f64; 3], near: &mut Near) -> f64 {
@@ -256,28 +254,29 @@ impl Sampler<'_> {
 struct Near {
     workspace: Workspace,
     hint: Slot,
-    /// Distances in the middle of edges.
-    edges: HashMap<[u32; 2], f64>,
+    /// The distance in the middle of the last edge with each remainder.
+    edges: Vec<([u32; 2], f64)>,
 }
 
 /// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a part of a face as a whole.
 fn give_signs(
-    triangles: &mut [DisplayTriangle],
+    triangles: &mut Triangles,
     is_part: &[bool],
     (mesh, other): (&TriMesh, &TriMesh),
     sides: &Sides,
 ) {
-    let centre = |t: &DisplayTriangle| [0, 1, 2].map(|k| t.corners.iter().map(|p| p[k] / 3.0).sum());
+    let centre = |corners: [[f64; 3]; 3]| [0, 1, 2].map(|k| corners.iter().map(|p| p[k] / 3.0).sum());
     let parts = triangles.iter().zip(is_part).filter(|(_, is_part)| **is_part);
-    let centres: Vec<[f64; 3]> = parts.map(|(triangle, _)| centre(triangle)).collect();
+    let centres: Vec<[f64; 3]> = parts.map(|((corners, _), _)| centre(corners)).collect();
     let mut of_parts = Sides::of_points(&centres, other).into_iter();
-    for (triangle, is_part) in triangles.iter_mut().zip(is_part) {
+    let faces = triangles.faces.iter().zip(is_part);
+    for (distances, (face, is_part)) in triangles.distances.iter_mut().zip(faces) {
         let inside = if *is_part {
             [of_parts.next().unwrap_or(false); 3]
         } else {
-            mesh.faces()[triangle.face.index()].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
+            mesh.faces()[*face as usize].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
         };
-        for (distance, inside) in triangle.distances.iter_mut().zip(inside) {
+        for (distance, inside) in distances.iter_mut().zip(inside) {
             if inside {
                 *distance = -*distance;
             }
@@ -316,12 +315,12 @@ mod tests {
     fn faces_are_cut_where_distances_bend() {
         let (a, b) = (cube(2.0, 1).unwrap(), icosphere(1.0, 3).unwrap());
         let (drawing, _) = drawn(&a, &b, 0.01, 20_000);
-        let whole: f64 = drawing.triangles.iter().map(|triangle| area(triangle.corners)).sum();
+        let whole: f64 = drawing.triangles.iter().map(|(corners, _)| area(corners)).sum();
         assert!((whole - 24.0).abs() < 1e-3 && drawing.triangles.len() > 1000);
         assert!(drawing.triangles.len() <= 20_000);
-        for triangle in &drawing.triangles {
-            let centre = [0, 1, 2].map(|k| triangle.corners.iter().map(|p| p[k] / 3.0).sum::<f64>());
-            let shown = triangle.distances.iter().sum::<f64>() / 3.0;
+        for (corners, distances) in drawing.triangles.iter() {
+            let centre = [0, 1, 2].map(|k| corners.iter().map(|p| p[k] / 3.0).sum::<f64>());
+            let shown = distances.iter().sum::<f64>() / 3.0;
             let d = b.face_ids().map(|f| {
                 let [x, y, z] = b.corners(f);
                 pompeiu_core::geom::point_triangle::distance_sq(centre, x, y, z).sqrt()
@@ -360,6 +359,6 @@ mod tests {
         }
         let most = drawing.bounds.iter().map(|bounds| bounds[0]).fold(0.0, f64::max);
         assert!(most >= found.distance.distance.lower() * (1.0 - 1e-3), "the worst place is drawn");
-        assert!(drawing.triangles.iter().all(|triangle| triangle.face.index() < drawing.bounds.len()));
+        assert!(drawing.triangles.faces.iter().all(|face| (*face as usize) < drawing.bounds.len()));
     }
 }

@@ -1,9 +1,10 @@
 //! Groups of faces that are drawn as one triangle each, where a mesh has more faces than can be drawn.
 
 use super::snap::{Snap, rounded};
-use crate::deviation::{DirectedDeviation, DisplayTriangle};
+use super::triangles::{Triangles, Vertices};
+use crate::deviation::DirectedDeviation;
+use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::page::Bounds;
 use std::collections::HashMap;
 
@@ -100,16 +101,14 @@ impl Groups {
         found: &DirectedDeviation,
         mesh: &TriMesh,
         snap: &Snap,
-    ) -> (Vec<DisplayTriangle>, Vec<Bounds>) {
+    ) -> (Triangles, Vec<Bounds>) {
         let signed = found.signed_vertices();
         let values = signed.as_ref().unwrap_or(&found.vertices);
-        let triangle = |(group, corners): (usize, &[u32; 3])| DisplayTriangle {
-            face: FaceId(group as u32),
-            corners: snap.corners(corners.map(|v| mesh.positions()[v as usize])),
-            distances: corners.map(|v| snap.distance(values[v as usize])),
-            error: found.distance.distance.upper(),
-        };
-        let triangles = self.corners.iter().enumerate().map(triangle).collect();
+        let (mut triangles, mut vertices) = (Triangles::default(), Vertices::of(mesh));
+        for (group, at) in self.corners.iter().enumerate() {
+            let corners = at.map(|v| vertices.place(v, &mut triangles, |p| snap.position(p)));
+            triangles.push(group as u32, corners, at.map(|v| snap.distance(values[v as usize])));
+        }
         let mut bounds: Vec<Bounds> = vec![[0.0; 2]; self.corners.len()];
         for (group, face) in self.of_faces.iter().zip(&found.faces) {
             let [lower, upper] = &mut bounds[*group as usize];

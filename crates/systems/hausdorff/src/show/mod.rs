@@ -12,6 +12,7 @@ mod paper;
 mod snap;
 mod spread;
 mod stages;
+mod triangles;
 
 pub use content::{
     DeviationContent, DisplayTriangles, Exceedance, Histogram, MeasuredSurface, Region, SearchStage,

@@ -7,11 +7,11 @@ use super::content::{
 use super::draw::{Drawing, Style};
 use super::spread;
 use crate::certificate::AttachedProof;
-use crate::deviation::{BandReport, Deviation, DirectedDeviation, DisplayTriangle, Region, Statistics};
+use crate::deviation::{BandReport, Deviation, DirectedDeviation, Region, Statistics};
 use crate::{Direction, Enclosure, PreparedPair, Stage, StopReason, VerdictAnswer, Witness};
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Limits;
-use pompeiu_core::{FaceId, MeshError, TriMesh};
+use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::names::{axis, name};
 use pompeiu_figures::page::{Banner, BannerKind, Bounds, PageError, PointPair};
 use pompeiu_figures::{ColorMap, Figure, FigureError, Image, Mark, Panel, Scale, Theme, Values, View};
@@ -132,7 +132,7 @@ impl<'r> DeviationPage<'r> {
                 Drawing::new(found, self.pair, Style { tolerance, most: MOST_TRIANGLES }, limits);
             // Where B has more, points of A are inside of it.
             if found.sides.is_some() && self.bands.is_some() && found.direction == Direction::AToB {
-                for distance in drawing.triangles.iter_mut().flat_map(|triangle| &mut triangle.distances) {
+                for distance in drawing.triangles.distances.as_flattened_mut() {
                     *distance = -*distance;
                 }
             }
@@ -177,12 +177,13 @@ impl<'r> DeviationPage<'r> {
             vertices: mesh.positions().len(),
             faces: mesh.faces().len(),
             triangles: DisplayTriangles {
-                corners: triangles.iter().map(|triangle| triangle.corners).collect(),
-                faces: triangles.iter().map(|triangle| triangle.face.0).collect(),
+                positions: triangles.positions.clone(),
+                corners: triangles.corners.clone(),
+                faces: triangles.faces.clone(),
                 groups: groups.as_ref().map(|_| face_bounds.len()),
             },
             deviation: Some(SurfaceDeviation {
-                values: triangles.iter().map(|triangle| triangle.distances).collect(),
+                values: triangles.distances.clone(),
                 face_bounds: face_bounds.clone(),
                 distance: bounds(found.distance.distance),
                 stop: stop(found).to_owned(),
@@ -355,18 +356,14 @@ impl DeviationFigures<'_> {
     ) -> Result<Image, FigureError> {
         let sides = &self.sides;
         let (scale, label) = of.scale()?;
-        let prepared = |side: &Side<'_>| {
-            let triangles = &side.drawing.triangles;
-            let values: Vec<_> = triangles.iter().map(|triangle| triangle.distances).collect();
-            (soup(triangles), values, of.spread(side, &scale))
-        };
+        let prepared = |side: &Side<'_>| (side.drawing.triangles.mesh(), of.spread(side, &scale));
         let prepared: [_; 2] = rayon::join(|| prepared(&sides[0]), || prepared(&sides[1])).into();
         let mut figure =
             Figure::new(width, height).with_theme(theme).with_view(view).with_scale(scale, label);
         if let Some((_, sentence)) = of.verdict {
             figure = figure.with_title(sentence);
         }
-        for (side, (mesh, values, spread)) in sides.iter().zip(&prepared) {
+        for (side, (mesh, spread)) in sides.iter().zip(&prepared) {
             // Without anything to draw there is no panel.
             let Ok(mesh) = mesh else { continue };
             let names = of.shown_names();
@@ -380,7 +377,7 @@ impl DeviationFigures<'_> {
             let PointPair { from, to } = pair(&side.found.distance.witness);
             figure = figure.with_panel(
                 Panel::new(mesh)
-                    .with_values(Values::Corners(values))
+                    .with_values(Values::Corners(&side.drawing.triangles.distances))
                     .with_title(title)
                     .with_mark(Mark::segment(from, to))
                     .with_mark(Mark::point(from)),
@@ -388,13 +385,6 @@ impl DeviationFigures<'_> {
         }
         figure.draw()
     }
-}
-
-/// The triangles as a mesh of its own, unwelded.
-pub(super) fn soup(triangles: &[DisplayTriangle]) -> Result<TriMesh, MeshError> {
-    let positions = triangles.iter().flat_map(|triangle| triangle.corners).collect();
-    let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    TriMesh::new(positions, faces)
 }
 
 fn bounds(enclosure: Enclosure) -> Bounds {

@@ -1,6 +1,6 @@
 //! A deviation on paper.
 
-use super::page::{DeviationFigures, DeviationPage, four_digits, percent, soup};
+use super::page::{DeviationFigures, DeviationPage, four_digits, percent};
 use crate::deviation::{DirectedDeviation, Region};
 use crate::digits::{self, percentage};
 use crate::report::{Direction, Enclosure};
@@ -92,12 +92,12 @@ impl DeviationFigures<'_> {
 impl DeviationFigures<'_> {
     /// The second mesh from six sides, with the worst places; none where there is nothing to draw.
     fn views(&self, places: &[Place<'_>], up: [f64; 3]) -> Result<Option<Image>, FigureError> {
-        let side = &self.sides[1];
-        let Ok(mesh) = soup(&side.drawing.triangles) else { return Ok(None) };
-        let values: Vec<_> = side.drawing.triangles.iter().map(|triangle| triangle.distances).collect();
+        let triangles = &self.sides[1].drawing.triangles;
+        let Ok(mesh) = triangles.mesh() else { return Ok(None) };
         let (scale, label) = self.of.scale()?;
         let drawn = standard_views(up).map(|(name, view)| {
-            let mut panel = Panel::new(&mesh).with_values(Values::Corners(&values)).with_title(name);
+            let mut panel =
+                Panel::new(&mesh).with_values(Values::Corners(&triangles.distances)).with_title(name);
             for ((region, direction, _), number) in places.iter().zip(1..) {
                 // The end that lies on the second mesh.
                 let at = match direction {

@@ -15,13 +15,8 @@ impl Snap {
         Self { place: below(Aabb::of_faces(mesh).diagonal() / PLACES), level: below(tolerance / LEVELS) }
     }
 
-    pub(super) fn corners(&self, corners: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-        corners.map(|p| p.map(|x| to_multiple(x, self.place)))
-    }
-
-    /// The tolerance that distances are rounded for, which is at most the one asked for.
-    pub(super) fn tolerance(&self) -> f64 {
-        self.level * LEVELS
+    pub(super) fn position(&self, position: [f64; 3]) -> [f64; 3] {
+        position.map(|x| to_multiple(x, self.place))
     }
 
     pub(super) fn distance(&self, distance: f64) -> f64 {

@@ -1,13 +1,13 @@
 //! How drawn distances are spread over the area.
 
-use crate::deviation::DisplayTriangle;
+use super::triangles::Triangles;
 use pompeiu_core::geom::Frame;
 
 /// The share of the area in each of so many equal parts of a range; what is outside of it counts into the first or the last one.
 ///
 /// Between its corners a distance is linear, as it is drawn: the parts of triangles are exact but for rounding.
 pub(super) fn shares(
-    triangles: &[DisplayTriangle],
+    triangles: &Triangles,
     frame: &Frame,
     (low, high): (f64, f64),
     parts: usize,
@@ -16,9 +16,10 @@ pub(super) fn shares(
     // Casts of what is below zero give zero.
     let part_of = |value: f64| (((value - low) / width) as usize).min(parts - 1);
     let (mut shares, mut whole) = (vec![0.0; parts], 0.0);
-    for triangle in triangles {
-        let area = area(triangle.corners.map(|corner| frame.map(corner)));
-        let mut distances = triangle.distances;
+    let positions: Vec<_> = triangles.positions.iter().map(|position| frame.map(*position)).collect();
+    for (corners, distances) in triangles.corners.iter().zip(&triangles.distances) {
+        let area = area(corners.map(|v| positions[v as usize]));
+        let mut distances = *distances;
         distances.sort_by(f64::total_cmp);
         let [first, last] = [distances[0], distances[2]].map(part_of);
         let mut below = 0.0;
@@ -54,26 +55,25 @@ fn area([p, q, r]: [[f64; 3]; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pompeiu_core::TriMesh;
     use pompeiu_core::geom::Aabb;
-    use pompeiu_core::{FaceId, TriMesh};
-
-    fn triangle(corners: [[f64; 3]; 3], distances: [f64; 3]) -> DisplayTriangle {
-        DisplayTriangle { face: FaceId(0), corners, distances, error: 0.0 }
-    }
 
     /// A square over which the distance rises from side to side, and a second one of three times its area with one distance.
     #[test]
     fn parts_of_linear_distances_are_exact() {
         let (o, x, y, xy) = ([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]);
         let far = |p: [f64; 3]| [3.0 * p[0] + 5.0, p[1], p[2]];
-        let triangles = [
-            triangle([o, x, xy], [-0.5, 1.5, 1.5]),
-            triangle([o, xy, y], [-0.5, 1.5, -0.5]),
-            triangle([o, x, xy].map(far), [0.3; 3]),
-            triangle([o, xy, y].map(far), [0.3; 3]),
-        ];
-        let positions = triangles.iter().flat_map(|t| t.corners).collect();
-        let mesh = TriMesh::new(positions, vec![[0, 1, 2]]).unwrap();
+        let mut triangles = Triangles::default();
+        for (corners, distances) in [
+            ([o, x, xy], [-0.5, 1.5, 1.5]),
+            ([o, xy, y], [-0.5, 1.5, -0.5]),
+            ([o, x, xy].map(far), [0.3; 3]),
+            ([o, xy, y].map(far), [0.3; 3]),
+        ] {
+            let corners = corners.map(|corner| triangles.add(corner));
+            triangles.push(0, corners, distances);
+        }
+        let mesh = TriMesh::new(triangles.positions.clone(), vec![[0, 1, 2]]).unwrap();
         let frame = Frame::of(&Aabb::of_faces(&mesh));
         let found = shares(&triangles, &frame, (0.0, 1.0), 4);
         for (share, expected) in

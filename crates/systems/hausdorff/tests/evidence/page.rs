@@ -15,12 +15,17 @@ const LOWER: [[f64; 3]; 3] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// One triangle above another, with something in every field.
 fn page() -> DeviationContent {
-    let surface = |name: &str, corners, deviation| MeasuredSurface {
+    let surface = |name: &str, corners: [[f64; 3]; 3], deviation| MeasuredSurface {
         name: name.into(),
         path: name.into(),
         vertices: 3,
         faces: 1,
-        triangles: DisplayTriangles { corners: vec![corners], faces: vec![0], groups: None },
+        triangles: DisplayTriangles {
+            positions: corners.to_vec(),
+            corners: vec![[0, 1, 2]],
+            faces: vec![0],
+            groups: None,
+        },
         deviation,
     };
     let pair = PointPair { from: UPPER[0], to: LOWER[0] };
@@ -98,7 +103,7 @@ fn data_that_do_not_belong_together_are_refused() {
         |p| p.bands[1] = f64::NAN,
         |p| p.threshold = Some(f64::NAN),
         |p| p.distance = Some([0.0, f64::INFINITY]),
-        |p| p.surfaces[1].triangles.corners[0][2][1] = f64::NAN,
+        |p| p.surfaces[1].triangles.positions[2][1] = f64::NAN,
         |p| measured(p).values[0][1] = f64::NEG_INFINITY,
         |p| measured(p).face_bounds[0][1] = f64::NAN,
         |p| measured(p).witness.to[0] = f64::NAN,
