@@ -165,6 +165,11 @@ impl Camera {
         }
     }
 
+    /// Whether the eye is in the same direction from everywhere.
+    pub(crate) fn is_orthographic(&self) -> bool {
+        self.projection == Projection::Orthographic
+    }
+
     /// Change of nearness over a depth near the centre.
     pub(crate) fn nearness(&self, depth: f64) -> f64 {
         match self.projection {

@@ -23,6 +23,7 @@ use crate::{Panel, Rgb, Scale};
 use flow::Flow;
 use rayon::prelude::*;
 use scene::Scene;
+use shade::Light;
 use strokes::Stroke;
 use triangles::{Grid, NONE, PIXEL, Triangle, Visible};
 
@@ -159,20 +160,69 @@ fn draw_tile(scene: &Scene, flow: Option<&Flow>, strokes: &[Stroke], grid: &Grid
     let visible = see(scene, grid, faces);
     let background = scene.theme.background.map(f64::from);
     let mut colors = vec![background; visible.face.len()];
-    let mut last: Option<(u32, Triangle)> = None;
-    for (index, &face) in visible.face.iter().enumerate().filter(|(_, face)| **face != NONE) {
-        let known = last.filter(|(known, _)| *known == face).map(|(_, triangle)| triangle);
-        if let Some(triangle) = known.or_else(|| scene.triangle(face)) {
-            let sample = [index % grid.size[0], index / grid.size[0]];
-            let light = flow.map_or(1.0, |flow| flow.light(grid.pixel(sample)));
-            colors[index] = shade::color(scene, face, &triangle, grid.place(sample[0], sample[1]), light);
-            last = Some((face, triangle));
+    let mut faces = LitFaces::new(scene);
+    for pixel in grid.pixels() {
+        faces.next_pixel();
+        for [column, row] in grid.samples(pixel) {
+            let index = row * grid.size[0] + column;
+            let (face, place) = (visible.face[index], grid.place(column, row));
+            if face != NONE
+                && let Some((triangle, light)) = faces.of(face, place)
+            {
+                let dim = flow.map_or(1.0, |flow| flow.light(grid.pixel([column, row])));
+                colors[index] = shade::color(scene, face, triangle, place, *light, dim);
+            }
         }
     }
     for stroke in strokes {
         lay_over(stroke, grid, &visible, &mut colors);
     }
     means(grid, &colors)
+}
+
+/// The faces seen in a pixel. A flat one has the same light at all its samples in a pixel, for only the direction to the eye differs.
+struct LitFaces<'s> {
+    scene: &'s Scene<'s>,
+    is_constant: bool,
+    here: Vec<(u32, Triangle, Light)>,
+    /// Those of the pixel before.
+    before: Vec<(u32, Triangle, Light)>,
+}
+
+impl<'s> LitFaces<'s> {
+    fn new(scene: &'s Scene<'s>) -> Self {
+        let is_constant = Light::is_constant_on_faces(scene);
+        Self { scene, is_constant, here: Vec::new(), before: Vec::new() }
+    }
+
+    fn next_pixel(&mut self) {
+        std::mem::swap(&mut self.here, &mut self.before);
+        self.here.clear();
+    }
+
+    /// A face of which a place is seen in the pixel, and its light there; `None` if it has no area in the picture.
+    fn of(&mut self, face: u32, place: [i32; 2]) -> Option<(&Triangle, &Light)> {
+        let at = self.here.iter().position(|(known, ..)| *known == face);
+        let at = if let Some(at) = at {
+            if self.scene.panel.normals.is_some() {
+                self.here[at].2 = Light::at(self.scene, face, &self.here[at].1, place);
+            }
+            at
+        } else {
+            self.here.push(self.lit(face, place)?);
+            self.here.len() - 1
+        };
+        self.here.get(at).map(|(_, triangle, light)| (triangle, light))
+    }
+
+    fn lit(&self, face: u32, place: [i32; 2]) -> Option<(u32, Triangle, Light)> {
+        let known = self.before.iter().find(|(known, ..)| *known == face).copied();
+        if self.is_constant && known.is_some() {
+            return known;
+        }
+        let triangle = known.map(|(_, triangle, _)| triangle).or_else(|| self.scene.triangle(face))?;
+        Some((face, triangle, Light::at(self.scene, face, &triangle, place)))
+    }
 }
 
 /// Draws a stroke over samples.

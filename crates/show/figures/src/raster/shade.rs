@@ -1,5 +1,6 @@
 //! Colours of points on faces.
 
+use super::camera::Seen;
 use super::scene::Scene;
 use super::triangles::Triangle;
 use crate::Rgb;
@@ -28,26 +29,53 @@ const EDGE_OPACITY: f64 = 0.55;
 /// Edges of faces below the first height in pixels are not drawn, and those above the second are drawn with full opacity.
 const EDGE_FADE: [f64; 2] = [4.0, 10.0];
 
-/// The colour of a point on a face, each channel from 0 to 255.
-pub(super) fn color(scene: &Scene, face: u32, triangle: &Triangle, [x, y]: [i32; 2], light: f64) -> [f64; 3] {
-    let corners = scene.panel.mesh.faces()[face as usize].map(|vertex| vertex as usize);
-    let seen = corners.map(|vertex| scene.seen[vertex]);
+/// How light falls on a place of a face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Light {
+    /// What the colour is multiplied by.
+    shade: f64,
+    /// What is added to each channel.
+    highlight: f64,
+}
+
+impl Light {
+    /// Whether all places of a face have the same light: where the eye is in one direction from all of them.
+    pub(super) fn is_constant_on_faces(scene: &Scene) -> bool {
+        scene.panel.normals.is_none() && scene.camera.is_orthographic()
+    }
+
+    /// The light at a place of a face.
+    pub(super) fn at(scene: &Scene, face: u32, triangle: &Triangle, [x, y]: [i32; 2]) -> Self {
+        let (corners, seen) = corners(scene, face);
+        let weights = in_space(triangle.weights(x, y), seen.map(|seen| scene.camera.weight(seen.near)));
+        let local = mix(weights, seen.map(|seen| seen.local));
+        let eye = unit(scene.camera.eye_from(local)).unwrap_or([0.0, 0.0, 1.0]);
+        let normal = normal(scene, corners, seen.map(|seen| seen.local), weights, eye);
+        let towards = |direction| if dot(normal, direction) > 0.0 { dot(normal, direction) } else { 0.0 };
+        let shade = AMBIENT + HEAD * towards(eye) + KEY * towards(KEY_DIRECTION);
+        let half = unit(std::array::from_fn(|i| eye[i] + KEY_DIRECTION[i])).unwrap_or(eye);
+        let mut highlight = towards(half);
+        for _ in 0..SHARPNESS {
+            highlight *= highlight;
+        }
+        Self { shade, highlight: 255.0 * HIGHLIGHT * highlight }
+    }
+}
+
+/// The colour of a place of a face under some light, each channel from 0 to 255. `dim` is a factor of all of it.
+pub(super) fn color(
+    scene: &Scene,
+    face: u32,
+    triangle: &Triangle,
+    [x, y]: [i32; 2],
+    light: Light,
+    dim: f64,
+) -> [f64; 3] {
+    let (corners, seen) = corners(scene, face);
     let flat = triangle.weights(x, y);
     let weights = in_space(flat, seen.map(|seen| scene.camera.weight(seen.near)));
     let base = base(scene, face, corners, weights).map(f64::from);
-
-    let local = mix(weights, seen.map(|seen| seen.local));
-    let eye = unit(scene.camera.eye_from(local)).unwrap_or([0.0, 0.0, 1.0]);
-    let normal = normal(scene, corners, seen.map(|seen| seen.local), weights, eye);
-    let towards = |direction| if dot(normal, direction) > 0.0 { dot(normal, direction) } else { 0.0 };
-    let shade = AMBIENT + HEAD * towards(eye) + KEY * towards(KEY_DIRECTION);
-    let half = unit(std::array::from_fn(|i| eye[i] + KEY_DIRECTION[i])).unwrap_or(eye);
-    let mut highlight = towards(half);
-    for _ in 0..SHARPNESS {
-        highlight *= highlight;
-    }
-    let highlight = 255.0 * HIGHLIGHT * highlight;
-    let mut color = base.map(|channel| (channel * shade + highlight) * light);
+    let mut color = base.map(|channel| (channel * light.shade + light.highlight) * dim);
     if scene.panel.edges {
         let opacity = edge_opacity(triangle, flat);
         let edge = scene.theme.edge.map(f64::from);
@@ -56,11 +84,17 @@ pub(super) fn color(scene: &Scene, face: u32, triangle: &Triangle, [x, y]: [i32;
     color.map(|channel| channel.clamp(0.0, 255.0))
 }
 
+/// The vertices of a face, and where they are seen.
+fn corners(scene: &Scene, face: u32) -> ([usize; 3], [Seen; 3]) {
+    let corners = scene.panel.mesh.faces()[face as usize].map(|vertex| vertex as usize);
+    (corners, corners.map(|vertex| scene.seen[vertex]))
+}
+
 /// Barycentric coordinates on the face in space, from those in the picture.
 fn in_space(flat: [f64; 3], near: [f64; 3]) -> [f64; 3] {
     let weights: [f64; 3] = std::array::from_fn(|i| flat[i] * near[i]);
-    let sum = weights[0] + weights[1] + weights[2];
-    weights.map(|weight| weight / sum)
+    let per_sum = 1.0 / (weights[0] + weights[1] + weights[2]);
+    weights.map(|weight| weight * per_sum)
 }
 
 fn mix(weights: [f64; 3], vectors: [[f64; 3]; 3]) -> [f64; 3] {

@@ -14,6 +14,13 @@ pub(super) const PIXEL: i32 = 768;
 /// No face.
 pub(super) const NONE: u32 = u32::MAX;
 
+/// The place on the fine grid nearest to a coordinate in pixels. A cast and a comparison, for `floor` is a call on most processors.
+fn on_grid(pixels: f64) -> i32 {
+    let place = pixels * f64::from(PIXEL) + 0.5;
+    let towards_zero = place as i32;
+    towards_zero.saturating_sub(i32::from(place < f64::from(towards_zero)))
+}
+
 /// A triangle in the picture with nonzero area.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
@@ -29,7 +36,7 @@ pub(super) struct Triangle {
 impl Triangle {
     /// The triangle between three points; `None` if its area is zero.
     pub(super) fn new(corners: [Seen; 3]) -> Option<Self> {
-        let points = corners.map(|corner| corner.at.map(|c| (c * f64::from(PIXEL) + 0.5).floor() as i32));
+        let points = corners.map(|corner| corner.at.map(on_grid));
         let [p, q, r] = points.map(|point| point.map(i64::from));
         let area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
         if area == 0 {
@@ -57,7 +64,8 @@ impl Triangle {
     /// Barycentric coordinates of a position.
     pub(super) fn weights(&self, x: i32, y: i32) -> [f64; 3] {
         let [x, y] = [x, y].map(i64::from);
-        self.edges.map(|[a, b, c]| (a * x + b * y + c) as f64 / self.area as f64)
+        let per_area = 1.0 / self.area as f64;
+        self.edges.map(|[a, b, c]| (a * x + b * y + c) as f64 * per_area)
     }
 
     /// Height of each corner over the opposite edge, in pixels.
@@ -95,6 +103,19 @@ impl Grid {
     /// The pixel of the panel in which a sample lies.
     pub(super) fn pixel(&self, sample: [usize; 2]) -> [usize; 2] {
         [0, 1].map(|axis| self.start[axis] as usize + sample[axis] / self.per_pixel as usize)
+    }
+
+    /// Columns and rows of pixels, counted from the first pixel.
+    pub(super) fn pixels(&self) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let [columns, rows] = self.size.map(|samples| samples / self.per_pixel as usize);
+        (0..rows).flat_map(move |row| (0..columns).map(move |column| [column, row]))
+    }
+
+    /// Columns and rows of the samples of a pixel.
+    pub(super) fn samples(&self, pixel: [usize; 2]) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let side = self.per_pixel as usize;
+        let [first, last] = [pixel.map(|at| at * side), pixel.map(|at| (at + 1) * side)];
+        (first[1]..last[1]).flat_map(move |row| (first[0]..last[0]).map(move |column| [column, row]))
     }
 
     /// The samples whose coordinates lie in a closed range, as a half-open range.
