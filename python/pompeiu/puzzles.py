@@ -210,6 +210,6 @@ def puzzle(
     False
     """
     if pieces < 0:
-        raise OptionError(f"{pieces} pieces are asked for; there must be at least 2")
+        raise OptionError(f"the number of pieces is {pieces}; it must be at least 2")
     answer, beside = ask("puzzle", locals(), meshes=())
     return Puzzle(beside["outlines"], answer["report"], beside["drawings"], answer["stop"])

@@ -93,7 +93,7 @@ def test_a_cut_leaves_a_gap_and_a_picture_lies_on_the_pieces(tmp_path):
 
 def test_what_makes_no_sense():
     for options, words in [
-        ({"pieces": 1}, "1 pieces are asked for"),
+        ({"pieces": 1}, "the number of pieces is 1"),
         ({"size": (0, 1)}, "width"),
         ({"size": (1,)}, "option `size` of puzzle: found a sequence of length 1"),
         ({"layout": "spiral"}, "option `layout` of puzzle: found `spiral`"),

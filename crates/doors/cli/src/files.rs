@@ -1,7 +1,7 @@
 //! Mesh files: told apart, read, and looked at for what deserves a warning.
 
 use crate::interrupt::while_writing;
-use crate::numbers::grouped;
+use crate::numbers::{counted, grouped, vertices_and_faces};
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::{Context, bail};
@@ -143,8 +143,8 @@ pub(crate) fn write_with(
             "vertices lie where others do; readers of STL make one vertex of those at a place, and PLY and OBJ keep them apart",
         ],
     );
-    let [vertices, faces] = [mesh.positions().len(), mesh.faces().len()].map(|n| grouped(n as u64));
-    printer.note(format_args!("{shown}: {vertices} vertices, {faces} faces"));
+    let size = vertices_and_faces(mesh.positions().len(), mesh.faces().len());
+    printer.note(format_args!("{shown}: {size}"));
     Ok(())
 }
 
@@ -170,7 +170,7 @@ pub(crate) fn refuse_joined(path: &Path, mesh: &TriMesh) -> anyhow::Result<()> {
             "{}: STL holds no shared vertices, so its readers would join {} with others at the same position, and undo the result; write PLY \
              or OBJ",
             path.display(),
-            if count == 1 { "1 vertex".to_owned() } else { format!("{} vertices", grouped(count as u64)) }
+            counted(count, "vertex")
         ),
     }
 }

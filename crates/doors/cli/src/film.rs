@@ -2,6 +2,7 @@
 
 use crate::files;
 use crate::interrupt::while_writing;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::figures::page::PageError;
@@ -71,7 +72,7 @@ pub(crate) fn write(
         .with_context(|| path.display().to_string())?,
         Kind::Film => encode(path, pictures, &mut next)?,
     }
-    printer.note(format_args!("{}: {pictures} pictures", path.display()));
+    printer.note(format_args!("{}: {}", path.display(), counted(pictures as usize, "picture")));
     Ok(())
 }
 

@@ -68,6 +68,24 @@ pub(crate) fn grouped(count: u64) -> String {
     text
 }
 
+/// A count with its noun, singular or plural.
+pub(crate) fn counted(count: usize, noun: &str) -> String {
+    const IRREGULAR: [[&str; 2]; 4] =
+        [["vertex", "vertices"], ["body", "bodies"], ["hedron", "hedra"], ["branch", "branches"]];
+    let irregular = IRREGULAR.iter().find_map(|[one, many]| Some((noun.strip_suffix(one)?, many)));
+    let number = grouped(count as u64);
+    match (count, irregular) {
+        (1, _) => format!("{number} {noun}"),
+        (_, Some((stem, many))) => format!("{number} {stem}{many}"),
+        _ => format!("{number} {noun}s"),
+    }
+}
+
+/// The size of a mesh.
+pub(crate) fn vertices_and_faces(vertices: usize, faces: usize) -> String {
+    format!("{}, {}", counted(vertices, "vertex"), counted(faces, "face"))
+}
+
 /// A point for people.
 pub(crate) fn point(p: [f64; 3]) -> String {
     let [x, y, z] = p.map(plain);
@@ -78,15 +96,22 @@ pub(crate) fn point(p: [f64; 3]) -> String {
 pub(crate) fn pairs_that_intersect(count: IntersectionCount) -> String {
     match (count.pairs, count.complete) {
         (0, true) => "no two faces".to_owned(),
-        (1, true) => "1 pair of faces".to_owned(),
-        (pairs, true) => format!("{} pairs of faces", grouped(pairs as u64)),
-        (pairs, false) => format!("more than {} pairs of faces", grouped(pairs as u64)),
+        (pairs, true) => format!("{} of faces", counted(pairs, "pair")),
+        (pairs, false) => format!("more than {} of faces", counted(pairs, "pair")),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn counts_have_their_nouns() {
+        let of = |noun| [0, 1, 2000].map(|count| counted(count, noun));
+        assert_eq!(of("face"), ["0 faces", "1 face", "2,000 faces"]);
+        assert_eq!(of("seam vertex"), ["0 seam vertices", "1 seam vertex", "2,000 seam vertices"]);
+        assert_eq!(of("tetrahedron"), ["0 tetrahedra", "1 tetrahedron", "2,000 tetrahedra"]);
+    }
 
     #[test]
     fn memory_and_time_have_units_and_limits() {

@@ -44,12 +44,11 @@ impl Page {
 
 /// The path and the counts of an input.
 pub(crate) fn described(input: &Input) -> String {
-    let [vertices, faces] = [input.vertices, input.faces].map(|n| numbers::grouped(n as u64));
     let path = input.path.as_deref().unwrap_or_default();
     if input.faces == 0 {
-        format!("{path}: {vertices} points")
+        format!("{path}: {}", numbers::counted(input.vertices, "point"))
     } else {
-        format!("{path}: {vertices} vertices, {faces} faces")
+        format!("{path}: {}", numbers::vertices_and_faces(input.vertices, input.faces))
     }
 }
 
@@ -99,10 +98,7 @@ pub(crate) fn left_out([a, b]: [&str; 2], both: Option<&BothLeftOut>) -> Vec<Str
 }
 
 fn left_out_of(name: &str, left_out: &LeftOut) -> String {
-    let count = |faces: usize| match faces {
-        1 => "1 face".to_owned(),
-        n => format!("{} faces", numbers::grouped(n as u64)),
-    };
+    let count = |faces: usize| numbers::counted(faces, "face");
     let faces = match (left_out.faces, left_out.cut) {
         (0, 0) => return format!("nothing of {name}"),
         (faces, 0) => count(faces),

@@ -1,7 +1,7 @@
 //! Every step as a file, and a list of them with their times, as ParaView reads it.
 
 use crate::files;
-use crate::numbers::grouped;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::core::vtk;
@@ -86,7 +86,7 @@ impl Series {
         // What failed first is told first.
         error.map_or(Ok(()), Err)?;
         listed?;
-        printer.note(format_args!("{}: {} steps", steps.display(), grouped(written.len() as u64)));
+        printer.note(format_args!("{}: {}", steps.display(), counted(written.len(), "step")));
         Ok(())
     }
 }

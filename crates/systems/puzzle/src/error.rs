@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum PuzzleError {
     /// The number of pieces is out of range.
-    #[error("{found} pieces are asked for; there must be at least 2 and at most {most}")]
+    #[error("the number of pieces is {found}; it must be at least 2 and at most {most}")]
     Pieces {
         /// Requested number.
         found: usize,

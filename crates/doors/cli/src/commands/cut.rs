@@ -4,7 +4,7 @@ use crate::appearance;
 use crate::args::ForbidFile;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
-use crate::numbers::{grouped, shortest, time};
+use crate::numbers::{counted, grouped, shortest, time};
 use crate::page::Page;
 use anyhow::{Context, bail};
 use clap::Args;
@@ -65,24 +65,19 @@ impl System for Files {
 
     fn text(&self, answer: &AnswerOf<Self>) -> String {
         let report = &answer.report;
-        let number = |n: usize| grouped(n as u64);
         let mut page = Page::new();
-        let parts = match report.components {
-            1 => "1 disk".to_owned(),
-            n => format!("{} disks", number(n)),
-        };
-        page.row("result", &parts);
+        page.row("result", &counted(report.components, "disk"));
         let cut = &report.cut;
-        let (edges, length) = (number(cut.edges), shortest(cut.length));
-        page.row("cut", &format!("{edges} edges of length {length} ({})", cut.strategy));
+        let (edges, length) = (counted(cut.edges, "edge"), shortest(cut.length));
+        page.row("cut", &format!("{edges} of length {length} ({})", cut.strategy));
         page.row(
             "mesh",
             &format!(
-                "{}: {} vertices, {} of them copies, {} faces",
+                "{}: {}, {} of them copies, {}",
                 self.mesh.display(),
-                number(report.vertices),
-                number(report.copies),
-                number(report.faces)
+                counted(report.vertices, "vertex"),
+                grouped(report.copies as u64),
+                counted(report.faces, "face")
             ),
         );
         page.row("time", &time(answer.timing.total));

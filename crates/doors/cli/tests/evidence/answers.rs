@@ -840,12 +840,12 @@ fn puzzle_says_whether_pieces_can_move_and_draws_them() {
     let energy: Vec<f64> = like["energy"].as_array().unwrap().iter().map(|e| e.as_f64().unwrap()).collect();
     assert!(energy.windows(2).all(|pair| pair[1] < pair[0]));
     for (arguments, words) in [
-        ("puzzle --pieces 1", "1 pieces are asked for"),
+        ("puzzle --pieces 1", "the number of pieces is 1"),
         ("puzzle --pieces 1000000", "at most 20000"),
         ("puzzle --size 0,3", "the width is 0"),
         ("puzzle --outline bow.svg", "bow.svg: the outline crosses itself: side 1 meets side 3"),
-        ("puzzle --outline ring.svg", "ring.svg: the shape has 1 holes"),
-        ("puzzle --piece ring.svg", "ring.svg: the shape has 1 holes"),
+        ("puzzle --outline ring.svg", "ring.svg: the shape has holes (1)"),
+        ("puzzle --piece ring.svg", "ring.svg: the shape has holes (1)"),
         ("puzzle --piece bow.svg", "the piece shape crosses itself"),
         ("puzzle --piece none.png", "none.png: it cannot be read"),
         ("puzzle --outline none.png", "none.png: it cannot be read"),

@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum AlignError {
     /// A mesh of points or segments has no centroid of its area.
-    #[error("none of the {faces} faces has an area, so there is nothing to align by")]
+    #[error("no face (of {faces}) has an area, so there is nothing to align by")]
     NoArea {
         /// Faces of the mesh.
         faces: usize,

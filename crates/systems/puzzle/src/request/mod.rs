@@ -181,7 +181,7 @@ pub enum PuzzleRequestError {
     Piece(ShapeError),
     /// A shape with holes.
     #[error(
-        "{source_name}: the shape has {holes} holes; fill them, for neither a puzzle nor a piece can have any"
+        "{source_name}: the shape has holes ({holes}); fill them, for neither a puzzle nor a piece can have any"
     )]
     Holes {
         /// Where it comes from.

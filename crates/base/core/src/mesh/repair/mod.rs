@@ -98,7 +98,7 @@ pub enum RepairError {
     #[error("holes of up to {0} edges cannot be filled; at most {max} edges can", max = RepairOptions::MOST_HOLE_EDGES)]
     HoleEdges(usize),
     /// No face is left.
-    #[error("nothing is left: all {faces} faces are degenerate{}", if *.welded > 0 { " once vertices are welded" } else { "" })]
+    #[error("nothing is left: every face (of {faces}) is degenerate{}", if *.welded > 0 { " once vertices are welded" } else { "" })]
     NothingLeft {
         /// Number of faces there were.
         faces: usize,

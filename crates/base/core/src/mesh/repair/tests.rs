@@ -89,7 +89,7 @@ fn faces_that_do_not_count_are_dropped() {
     let flat = mesh(&positions, &[[0, 3, 1], [0, 0, 2]]);
     let error = repair(&flat, &RepairOptions::default()).unwrap_err();
     assert_eq!(error, RepairError::NothingLeft { faces: 2, welded: 0 });
-    assert_eq!(error.to_string(), "nothing is left: all 2 faces are degenerate");
+    assert_eq!(error.to_string(), "nothing is left: every face (of 2) is degenerate");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::args::Files;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, time};
+use crate::numbers::{counted, few, grouped, time, vertices_and_faces};
 use crate::page::Page;
 use pompeiu::contact::ContactReport;
 use pompeiu::core::request::Report;
@@ -18,7 +18,7 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     let mut page = Page::new();
     let (done, asked) = (report.steps.len(), report.asked);
     let end = report.steps.last().map_or(0.0, |last| last.time);
-    let steps = if done == 1 { "1 step".to_owned() } else { format!("{} steps", grouped(done as u64)) };
+    let steps = counted(done, "step");
     page.row("result", &format!("time {} after {steps}", few(end)));
     if let Some(failure) = &report.failure {
         page.row("ended", failure);
@@ -26,16 +26,14 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
         page.row("", &format!("stopped early by {}", stopped_by(report.stop())));
     }
     page.row("certified", &report.certificate.sentence());
-    let bodies = if report.bodies == 1 { "body" } else { "bodies" };
     page.row(
         "scene",
         &format!(
-            "{}: {} {bodies}, {} vertices, {} faces, {} tetrahedra",
+            "{}: {}, {}, {}",
             report.scene,
-            report.bodies,
-            grouped(report.vertices as u64),
-            grouped(report.faces as u64),
-            grouped(report.tetrahedra as u64)
+            counted(report.bodies, "body"),
+            vertices_and_faces(report.vertices, report.faces),
+            counted(report.tetrahedra, "tetrahedron")
         ),
     );
     measured(report, &mut page);

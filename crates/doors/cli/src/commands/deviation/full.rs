@@ -4,7 +4,7 @@ use super::{Files, percent, percentage};
 use crate::aligned::verdict as alignment;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, point, rounded, shortest};
+use crate::numbers::{counted, few, grouped, point, rounded, shortest};
 use crate::page::{Page, compared, value};
 use pompeiu::hausdorff::deviation::{DirectedDeviation, Percentile, Region, Statistics};
 use pompeiu::hausdorff::{DeviationReport, Direction};
@@ -114,10 +114,7 @@ fn label(percentile: &Percentile) -> String {
 
 /// How many faces a region has.
 pub(super) fn faces(region: &Region) -> String {
-    match region.faces.len() {
-        1 => "1 face".to_owned(),
-        n => format!("{} faces", grouped(n as u64)),
-    }
+    counted(region.faces.len(), "face")
 }
 
 fn regions(page: &mut Page, name: &str, regions: &[Region]) {

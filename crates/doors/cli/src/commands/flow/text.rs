@@ -2,7 +2,7 @@
 
 use super::Files;
 use crate::door::AnswerOf;
-use crate::numbers::{grouped, pairs_that_intersect, point, shortest, time};
+use crate::numbers::{counted, pairs_that_intersect, point, shortest, time, vertices_and_faces};
 use crate::page::Page;
 use pompeiu::flow::{Flow, FlowStop};
 
@@ -57,8 +57,7 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     if let Some(count) = flow.intersections {
         page.row("intersect", &pairs_that_intersect(count));
     }
-    let [vertices, faces] = [flow.mesh.positions().len(), flow.mesh.faces().len()].map(|n| grouped(n as u64));
-    page.row("mesh", &format!("{vertices} vertices, {faces} faces"));
+    page.row("mesh", &vertices_and_faces(flow.mesh.positions().len(), flow.mesh.faces().len()));
     let timing = flow.timing;
     page.row(
         "time",
@@ -74,8 +73,7 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
 }
 
 fn verdict(flow: &Flow) -> String {
-    let steps =
-        if flow.steps == 1 { "1 step".to_owned() } else { format!("{} steps", grouped(flow.steps as u64)) };
+    let steps = counted(flow.steps, "step");
     match flow.stop {
         FlowStop::Stationary => match flow.stability.and_then(|s| s.is_minimum()) {
             Some(true) => format!("stationary after {steps}: a local minimum of the area"),

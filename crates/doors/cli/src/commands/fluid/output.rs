@@ -2,6 +2,7 @@
 
 use super::args::Files;
 use crate::called::called;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use crate::series::Series;
 use crate::{files, film};
@@ -135,7 +136,7 @@ impl<'f> Outputs<'f> {
                 .png(|width, height, theme, view| page.image(frame, width, height, theme, front(view)))?;
             pompeiu::io::write_whole(folder.join(format!("frame-{frame:05}.png")), &png)?;
         }
-        self.printer.note(format_args!("{}: {} pictures", folder.display(), self.frames.len()));
+        self.printer.note(format_args!("{}: {}", folder.display(), counted(self.frames.len(), "picture")));
         Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! The outcome for people.
 
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, time};
+use crate::numbers::{counted, few, time};
 use crate::page::Page;
 use pompeiu::core::request::Answer;
 use pompeiu::fluid::SchemeReport;
@@ -16,7 +16,7 @@ pub(super) fn text(answer: &Answer<FluidRequest, FluidReport>) -> String {
         return page.into_text();
     };
     let count = outcome.steps.len() - 1;
-    let steps = if count == 1 { "1 step".to_owned() } else { format!("{} steps", grouped(count as u64)) };
+    let steps = counted(count, "step");
     page.row("result", &format!("time {} after {steps}", few(last.time)));
     if outcome.stop.is_early() && count < outcome.asked {
         page.row("", &format!("stopped early by {}", stopped_by(outcome.stop)));

@@ -1,6 +1,6 @@
 //! The summary for people.
 
-use crate::numbers::{grouped, plain, point, six};
+use crate::numbers::{counted, grouped, plain, point, six};
 use crate::printer::LABEL;
 use pompeiu::core::request::{InfoReport, IntersectingFaces};
 use std::fmt::Write;
@@ -59,7 +59,7 @@ pub(super) fn text(path: &Path, report: &InfoReport) -> String {
     }
     let mut label = "oddities";
     for (count, name, meaning) in oddities.into_iter().filter(|oddity| oddity.0 > 0) {
-        row(label, &format!("{} {} ({meaning})", number(count), counted(count, name)));
+        row(label, &format!("{} ({meaning})", counted(count, name)));
         label = "";
     }
     if label == "oddities" {
@@ -91,13 +91,4 @@ fn pairs(found: &IntersectingFaces) -> String {
 /// An area or a volume, which may overflow where lengths do not.
 fn measure(x: f64) -> String {
     if x.is_finite() { six(x) } else { "beyond the range of double precision".to_owned() }
-}
-
-/// A noun in the number that goes with a count.
-fn counted(count: usize, noun: &str) -> String {
-    match (count, noun.strip_suffix("vertex")) {
-        (1, _) => noun.to_owned(),
-        (_, Some(stem)) => format!("{stem}vertices"),
-        _ => format!("{noun}s"),
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::args::Files;
 use crate::door::AnswerOf;
-use crate::numbers::{between, few, grouped, time};
+use crate::numbers::{between, counted, few, grouped, time};
 use crate::page::Page;
 use pompeiu::neuron::{SkeletonReport, WallDistance};
 use std::time::Duration;
@@ -17,10 +17,10 @@ fn add_skeleton(page: &mut Page, path: &str, skeleton: &SkeletonReport) {
     page.row(
         "skeleton",
         &format!(
-            "{path}: {} samples, {} branches, {} tips",
-            number(skeleton.samples),
-            number(skeleton.branches),
-            number(skeleton.tips)
+            "{path}: {}, {}, {}",
+            counted(skeleton.samples, "sample"),
+            counted(skeleton.branches, "branch"),
+            counted(skeleton.tips, "tip")
         ),
     );
     for (i, repair) in skeleton.repairs.iter().flatten().enumerate() {

@@ -3,14 +3,13 @@
 use super::args::Files;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, time};
+use crate::numbers::{counted, few, grouped, time};
 use crate::page::Page;
 use pompeiu::puzzle::{Proof, PuzzleReport};
 
 /// The verdict first, then a row for each quantity.
 pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     let report = &answer.report;
-    let number = |n: usize| grouped(n as u64);
     let mut page = Page::new();
     let verdict = match report.proof {
         Proof::Merging => {
@@ -45,20 +44,14 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
             }
             Some(_) => format!("{width}: no two pieces can part with that gap between them"),
             None => format!(
-                "{width}: not shown to hold with that gap; {} parts that do",
-                number(kerf.clusters.len())
+                "{width}: not shown to hold with that gap; {} that hold",
+                counted(kerf.clusters.len(), "part")
             ),
         };
         page.row("cut", &verdict);
         if !kerf.split.is_empty() {
-            page.row(
-                "",
-                &format!(
-                    "{} pieces are cut in parts, or away: {}",
-                    number(kerf.split.len()),
-                    names(&kerf.split)
-                ),
-            );
+            let pieces = counted(kerf.split.len(), "piece");
+            page.row("", &format!("{pieces} cut in parts, or away: {}", names(&kerf.split)));
         }
     }
     if let Some(packing) = &report.packing {
@@ -70,11 +63,11 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     let free: Vec<usize> =
         report.pieces.iter().filter(|piece| piece.lock == "free").map(|piece| piece.id).collect();
     if !free.is_empty() {
-        page.row("free", &format!("{} pieces: {}", number(free.len()), names(&free)));
+        page.row("free", &format!("{}: {}", counted(free.len(), "piece"), names(&free)));
     }
     page.row(
         "pieces",
-        &format!("{} in {} clusters", number(report.pieces.len()), number(report.clusters.len())),
+        &format!("{} in {}", grouped(report.pieces.len() as u64), counted(report.clusters.len(), "cluster")),
     );
     if !report.whimsies.is_empty() {
         page.row("whimsies", &format!("pieces {}", names(&report.whimsies)));
@@ -87,8 +80,7 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     );
     necks(&mut page, report);
     if !report.without_tab.is_empty() {
-        let count = number(report.without_tab.len());
-        let text = format!("{count} borders between pieces have no tab");
+        let text = format!("{} between pieces without a tab", counted(report.without_tab.len(), "border"));
         // Where no tabs were asked for, it is all of them.
         let names = report.least_neck.map_or_else(String::new, |_| {
             let pairs = report.without_tab.iter().map(|[a, b]| format!("{a}–{b}"));
@@ -98,7 +90,7 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     }
     if let Some(motion) = &report.motion {
         let end = if motion.is_apart { "until they are apart" } else { "as far as it was followed" };
-        page.row("motion", &format!("of {} pieces, {end}", number(motion.moving.len())));
+        page.row("motion", &format!("of {}, {end}", counted(motion.moving.len(), "piece")));
     }
     if report.stop.is_early() {
         page.row("stopped", &format!("early by {}: the best puzzle found by then", stopped_by(report.stop)));
