@@ -2,6 +2,7 @@
 
 use super::assembly::{Assembly, NodeBlocks};
 use super::cluster::{Layout, layout};
+use super::cubic_node::START;
 use super::distance::{Net, wall_distance};
 use super::node::{NodeMesh, mesh_node};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
@@ -136,7 +137,7 @@ pub fn mesh_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Neu
 fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {
     let control = Control::start(&options.limits);
     let factor = area_factor(4 * options.parts);
-    let parts = Parts::new(skeleton, options, factor, options.parts, &control)?;
+    let parts = Parts::new(skeleton, options, factor, Blocks::Linear(options.parts), &control)?;
     let nodes: Vec<Option<NodeBlocks<'_>>> = parts
         .nodes
         .iter()
@@ -158,6 +159,15 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, Me
     finish(skeleton, &parts, assembled, (options, &control))
 }
 
+/// The subdivision of the blocks of nodes.
+#[derive(Clone, Copy)]
+pub(super) enum Blocks {
+    /// So many trilinear cells along each edge.
+    Linear(usize),
+    /// The initial cells of tricubic ones, which follow the wall by themselves.
+    Cubic,
+}
+
 /// Tubes and the meshed nodes between them.
 pub(super) struct Parts {
     pub(super) factor: f64,
@@ -168,12 +178,12 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Multiplies radii by the factor, and subdivides the blocks of nodes into `parts` along each edge.
+    /// Multiplies radii by the factor, and subdivides the blocks of nodes.
     pub(super) fn new(
         skeleton: &Skeleton,
         options: &MeshOptions<'_>,
         factor: f64,
-        parts: usize,
+        blocks: Blocks,
         control: &Control,
     ) -> Result<Self, MeshError> {
         if let Some(sample) = skeleton.samples().iter().find(|sample| sample.radius <= 0.0) {
@@ -187,7 +197,7 @@ impl Parts {
             .map(|(span, tube)| span.map(|[a, b]| RadialLength::new(tube, a.at, b.at)))
             .collect();
         check_memory(&layout, &lengths, options)?;
-        let nodes = mesh_nodes(skeleton, &tubes, &layout, parts, options, control)?;
+        let nodes = mesh_nodes(skeleton, &tubes, &layout, (blocks, factor), options, control)?;
         Ok(Self { factor, tubes, layout, lengths, nodes })
     }
 
@@ -291,10 +301,15 @@ fn mesh_nodes(
     skeleton: &Skeleton,
     tubes: &[Tube],
     layout: &Layout,
-    parts: usize,
+    (blocks, factor): (Blocks, f64),
     options: &MeshOptions<'_>,
     control: &Control,
 ) -> Result<Vec<Option<NodeMesh>>, MeshError> {
+    let (parts, factor) = match blocks {
+        // One face between two corners of a section is beyond the tolerance by itself.
+        Blocks::Linear(parts) => (parts, (parts > 1).then_some(factor)),
+        Blocks::Cubic => (START, None),
+    };
     let done = Mutex::new(0_usize);
     let count = layout.clusters.len();
     let nodes: Vec<Result<Option<NodeMesh>, MeshError>> = layout
@@ -306,7 +321,7 @@ fn mesh_nodes(
             if cluster.ends.is_empty() {
                 return Ok(None);
             }
-            let node = mesh_node(cluster, tubes, reach, parts, control);
+            let node = mesh_node(cluster, tubes, reach, (parts, factor), control);
             if let (Some(observer), Ok(mut done)) = (options.progress, done.lock()) {
                 *done += 1;
                 let share = Some(*done as f64 / count as f64);

@@ -1,8 +1,8 @@
 //! Tricubic meshes of neurons.
 
 use super::assembly::{Assembly, NodeBlocks};
-use super::build::{Cap, Parts, labels};
-use super::cubic_node::{CubicNode, START, bend};
+use super::build::{Blocks, Cap, Parts, labels};
+use super::cubic_node::{CubicNode, bend};
 use super::distance::{Net, wall_distance};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
@@ -152,7 +152,7 @@ pub fn cubic_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Cu
 fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
     let control = Control::start(&options.limits);
     let section = Section::new();
-    let parts = Parts::new(skeleton, options, section.area_factor(), START, &control)?;
+    let parts = Parts::new(skeleton, options, section.area_factor(), Blocks::Cubic, &control)?;
     let bent: Vec<Option<CubicNode>> = parts
         .layout
         .clusters

@@ -1,5 +1,6 @@
 //! The shape energy of cells, and its minimisation.
 
+use super::skin::Skin;
 use super::wall::{Middle, Wall};
 use glam::DVec3;
 use pompeiu_core::run::Control;
@@ -16,6 +17,8 @@ pub(super) struct Energy<'e> {
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
     /// Middles of faces and edges on the wall, and the weight of their distance from it.
     pub(super) middles: (&'e [Middle], f64),
+    /// Faces on the wall whose distance from it counts, not only that of their vertices.
+    pub(super) skin: Option<&'e Skin>,
     /// The size of the node, which makes steps and distances dimensionless.
     pub(super) scale: f64,
     /// The size of each cell, which makes its energy dimensionless: regularisation is relative to it.
@@ -135,6 +138,9 @@ impl Energy<'_> {
             wall.add_cost((vertices, weight), self.scale, positions, &mut total, at);
             let (middles, weight) = self.middles;
             wall.add_middles(middles, weight, positions, &mut total, at);
+        }
+        if let Some(skin) = self.skin {
+            skin.add_cost(positions, &mut total, at);
         }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];
@@ -304,12 +310,15 @@ mod tests {
             blend: 0.1,
         };
         for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 3 }] {
+            let at_first = positions.clone();
+            let skin = Skin::new(&wall, &[[1, 2, 6, 5], [4, 5, 6, 7]], &at_first, 0.01);
             let energy = Energy {
                 cells: &cells,
                 free: &free,
                 places: &[0.0, 0.5, 1.0],
                 shape,
                 wall: Some((&wall, &[6, 2], 3.0)),
+                skin: Some(&skin),
                 middles: (&[Middle { vertices: [1, 2, 6, 5], radius: 0.5 }], 2.0),
                 scale: 0.8,
                 sizes: &[0.7],

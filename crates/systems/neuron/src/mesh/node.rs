@@ -4,6 +4,8 @@
 use super::assign::{Assignment, assignments};
 use super::core::{Core, library, library_of_balls};
 use super::energy::{Energy, Shape};
+use super::follow::Draft;
+use super::skin::Skin;
 use super::tube::{End, Tube};
 use super::wall::{Middle, Wall};
 use super::warp::{Ray, side_of, turned};
@@ -130,6 +132,16 @@ impl Cluster {
         groups.extend(self.balls.iter().map(|&(c, r)| vec![RoundCone { ends: [c, c], radii: [r, r] }]));
         Wall { groups, blend }
     }
+
+    /// Its wall with the radii of the file, which were multiplied by the factor except for those of balls.
+    fn cones(&self, wall: &Wall, factor: f64) -> Wall {
+        let of_tubes = wall.groups.len() - self.balls.len();
+        let mut groups = wall.groups.clone();
+        for cone in groups[..of_tubes].iter_mut().flatten() {
+            cone.radii = cone.radii.map(|radius| radius / factor);
+        }
+        Wall { groups, blend: wall.blend }
+    }
 }
 
 /// The end of an arm: where the mesh of the tube begins.
@@ -145,6 +157,7 @@ pub(super) struct Section {
 }
 
 /// The mesh around a node.
+#[derive(Clone)]
 pub(super) struct NodeMesh {
     pub(super) blocks: Vec<[u32; 8]>,
     /// Number of corners of blocks.
@@ -161,7 +174,7 @@ pub(super) struct NodeMesh {
 const GOOD: f64 = 0.35;
 
 /// Parameters along each axis of a cell at which its shape is measured, and more of them.
-const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+pub(super) const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 const MANY_PLACES: [f64; 6] = [0.0, 0.1, 0.35, 0.65, 0.9, 1.0];
 
 /// Difference of the least scaled Jacobian and that at points from which on it is measured at more points.
@@ -173,75 +186,113 @@ const ENOUGH: f64 = 0.3;
 /// Largest number of assignments tried for a node.
 const MOST_TRIES: usize = 6;
 
-/// Meshes a node with arms of the given lengths.
+/// Meshes a node with arms of the given lengths. With a factor by which radii were multiplied, the wall is drawn to the cones where it is far from
+/// them.
 pub(super) fn mesh_node(
     cluster: &Cluster,
     tubes: &[Tube],
     reach: &[f64],
-    parts: usize,
-    control: &Control,
-) -> Option<NodeMesh> {
-    let best = try_node(cluster, tubes, reach, (parts, MIDDLES), control);
-    if control.is_stopped() || best.as_ref().is_some_and(|best| best.quality >= GOOD) {
-        return best;
-    }
-    // Cells in narrow corners need the freedom to cut them.
-    let other = try_node(cluster, tubes, reach, (parts, 0.0), control);
-    let quality = |node: &Option<NodeMesh>| node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
-    if quality(&best) > ENOUGH || quality(&best) >= quality(&other) { best } else { other }
-}
-
-/// The same with a weight of the middles of faces and edges.
-fn try_node(
-    cluster: &Cluster,
-    tubes: &[Tube],
-    reach: &[f64],
-    (parts, following): (usize, f64),
+    (parts, factor): (usize, Option<f64>),
     control: &Control,
 ) -> Option<NodeMesh> {
     let wall = cluster.wall(tubes, reach);
-    let mut best: Option<NodeMesh> = None;
-    let arms = cluster.ends.len();
-    let cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
-    for (nth, centre) in centres(cluster, tubes, reach, &wall).into_iter().enumerate() {
-        let directions: Vec<DVec3> = cluster
-            .ends
-            .iter()
-            .zip(reach)
-            .map(|(end, &s)| (end.at(tubes, s).0 - centre).normalize_or_zero())
-            .collect();
-        let mut candidates: Vec<(usize, Assignment)> = Vec::new();
+    let cones = factor.map(|factor| cluster.cones(&wall, factor));
+    let plan = Plan { cluster, tubes, reach, wall: &wall, cones: cones.as_ref(), parts, control };
+    let mut draft = plan.without_cones()?;
+    if let Some(cones) = &cones
+        && draft.node.quality > 0.0
+        && !draft.is_near()
+    {
+        draft.follow(cones, control);
+        if !draft.is_near() || draft.node.quality < ENOUGH {
+            // Other complexes may have vertices where the wall has its creases.
+            let other = plan.best(MIDDLES, &|draft| draft.follow(cones, control), &Draft::fitness);
+            if let Some(other) = other.filter(|other| other.fitness() > draft.fitness()) {
+                draft = other;
+            }
+        }
+    }
+    Some(draft.node)
+}
+
+/// A node and how to mesh it.
+struct Plan<'p> {
+    cluster: &'p Cluster,
+    tubes: &'p [Tube],
+    reach: &'p [f64],
+    wall: &'p Wall,
+    /// The wall with radii of the file.
+    cones: Option<&'p Wall>,
+    parts: usize,
+    control: &'p Control,
+}
+
+impl Plan<'_> {
+    /// The mesh of best quality.
+    fn without_cones(&self) -> Option<Draft> {
+        let quality = |draft: &Draft| draft.node.quality;
+        let best = self.best(MIDDLES, &|_| (), &quality);
+        if self.control.is_stopped() || best.as_ref().is_some_and(|best| best.node.quality >= GOOD) {
+            return best;
+        }
+        // Cells in narrow corners need the freedom to cut them.
+        let other = self.best(0.0, &|_| (), &quality);
+        let of = |draft: &Option<Draft>| draft.as_ref().map_or(f64::NEG_INFINITY, quality);
+        if of(&best) > ENOUGH || of(&best) >= of(&other) { best } else { other }
+    }
+
+    /// The best mesh of several complexes and positions, with a weight of the middles of faces and edges; the first one that is good.
+    fn best(
+        &self,
+        following: f64,
+        finish: &dyn Fn(&mut Draft),
+        goodness: &dyn Fn(&Draft) -> f64,
+    ) -> Option<Draft> {
+        let Self { cluster, tubes, reach, wall, .. } = *self;
+        let mut best: Option<(f64, Draft)> = None;
+        let arms = cluster.ends.len();
+        let cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
+        for (nth, centre) in centres(cluster, tubes, reach, wall).into_iter().enumerate() {
+            for (index, assignment) in self.candidates(&cores, centre) {
+                if self.control.is_stopped() {
+                    return best.map(|(_, draft)| draft);
+                }
+                let mut draft = self.build(centre, &cores[index], &assignment, following);
+                finish(&mut draft);
+                let good = goodness(&draft);
+                if best.as_ref().is_none_or(|(best, _)| good > *best) {
+                    best = Some((good, draft));
+                }
+                if best.as_ref().is_some_and(|(best, _)| *best >= GOOD) {
+                    return best.map(|(_, draft)| draft);
+                }
+            }
+            if nth > 0 && best.as_ref().is_some_and(|(best, _)| *best > 0.2) {
+                break;
+            }
+        }
+        best.map(|(_, draft)| draft)
+    }
+
+    /// Cores and assignments to try, the best first.
+    fn candidates(&self, cores: &[Core], centre: DVec3) -> Vec<(usize, Assignment)> {
+        let cluster = self.cluster;
+        let direction = |(end, &s): (&End, &f64)| (end.at(self.tubes, s).0 - centre).normalize_or_zero();
+        let directions: Vec<DVec3> = cluster.ends.iter().zip(self.reach).map(direction).collect();
+        let mut found: Vec<(usize, Assignment)> = Vec::new();
         for (index, core) in cores.iter().enumerate() {
             if core.quads.len() > cluster.ends.len() {
-                let found = assignments(core, &directions, 4);
                 // A larger core must fit better to justify its cells.
-                candidates.extend(found.into_iter().map(|mut assignment| {
+                found.extend(assignments(core, &directions, 4).into_iter().map(|mut assignment| {
                     assignment.score += 0.002 * core.blocks.len() as f64;
                     (index, assignment)
                 }));
             }
         }
-        candidates.sort_by(|a, b| a.1.score.total_cmp(&b.1.score));
-        for (index, assignment) in candidates.into_iter().take(MOST_TRIES) {
-            if control.is_stopped() {
-                return best;
-            }
-            let core = &cores[index];
-            let mesh =
-                build(cluster, tubes, reach, &wall, centre, core, &assignment, (parts, following), control);
-            let is_better = best.as_ref().is_none_or(|best| mesh.quality > best.quality);
-            if is_better {
-                best = Some(mesh);
-            }
-            if best.as_ref().is_some_and(|best| best.quality >= GOOD) {
-                return best;
-            }
-        }
-        if nth > 0 && best.as_ref().is_some_and(|best| best.quality > 0.2) {
-            return best;
-        }
+        found.sort_by(|a, b| a.1.score.total_cmp(&b.1.score));
+        found.truncate(MOST_TRIES);
+        found
     }
-    best
 }
 
 /// Candidate positions of the core: the node, and the farthest point towards the middle of the tightest pair of arms that is still
@@ -277,128 +328,125 @@ fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec
     centres
 }
 
-#[expect(clippy::too_many_arguments, reason = "what a node is, and how it is to be meshed")]
-fn build(
-    cluster: &Cluster,
-    tubes: &[Tube],
-    reach: &[f64],
-    wall: &Wall,
-    centre: DVec3,
-    core: &Core,
-    assignment: &Assignment,
-    (parts, following): (usize, f64),
-    control: &Control,
-) -> NodeMesh {
-    let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
-    let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
-    let size = core.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-    let mut corners: Vec<DVec3> =
-        core.vertices.iter().map(|p| assignment.rotation * (*p * (half / size))).collect();
-    let ball = (cluster.balls.len() == 1).then(|| cluster.balls[0]);
-    if let Some((_, around)) = ball {
-        let ray = |((end, &s), &quad): ((&End, &f64), &usize)| {
+impl Plan<'_> {
+    fn build(&self, centre: DVec3, core: &Core, assignment: &Assignment, following: f64) -> Draft {
+        let Self { cluster, tubes, reach, wall, parts, control, .. } = *self;
+        let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
+        let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
+        let size = core.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        let mut corners: Vec<DVec3> =
+            core.vertices.iter().map(|p| assignment.rotation * (*p * (half / size))).collect();
+        let ball = (cluster.balls.len() == 1).then(|| cluster.balls[0]);
+        if let Some((_, around)) = ball {
+            let ray = |((end, &s), &quad): ((&End, &f64), &usize)| {
+                let (at, radius) = end.at(tubes, s);
+                let rim = libm::asin((radius / around).clamp(0.0, 1.0));
+                Ray { direction: (at - centre).normalize_or(DVec3::X), rim, quad }
+            };
+            let rays: Vec<Ray> = cluster.ends.iter().zip(reach).zip(&assignment.quads).map(ray).collect();
+            corners = turned(core, &corners, &rays);
+        }
+        for corner in &mut corners {
+            *corner += centre;
+        }
+        let mut blocks: Vec<[u32; 8]> = core.blocks.iter().map(|b| b.map(|v| v as u32)).collect();
+        // Every vertex on the core's boundary has a counterpart on the wall.
+        let mut on_wall = vec![None; corners.len()];
+        for &v in core.quads.iter().flatten() {
+            if on_wall[v].is_none() {
+                on_wall[v] = Some(corners.len() as u32);
+                let direction = (corners[v] - centre).normalize_or(DVec3::X);
+                corners.push(wall.leave(corners[v], direction, depth));
+            }
+        }
+        let outer_of = |v: usize, on_wall: &[Option<u32>]| on_wall[v].unwrap_or(v as u32);
+        let mut sections = Vec::new();
+        for ((end, &s), &quad) in cluster.ends.iter().zip(reach).zip(&assignment.quads) {
             let (at, radius) = end.at(tubes, s);
-            let rim = libm::asin((radius / around).clamp(0.0, 1.0));
-            Ray { direction: (at - centre).normalize_or(DVec3::X), rim, quad }
-        };
-        let rays: Vec<Ray> = cluster.ends.iter().zip(reach).zip(&assignment.quads).map(ray).collect();
-        corners = turned(core, &corners, &rays);
-    }
-    for corner in &mut corners {
-        *corner += centre;
-    }
-    let mut blocks: Vec<[u32; 8]> = core.blocks.iter().map(|b| b.map(|v| v as u32)).collect();
-    // Every vertex on the core's boundary has a counterpart on the wall.
-    let mut on_wall = vec![None; corners.len()];
-    for &v in core.quads.iter().flatten() {
-        if on_wall[v].is_none() {
-            on_wall[v] = Some(corners.len() as u32);
-            let direction = (corners[v] - centre).normalize_or(DVec3::X);
-            corners.push(wall.leave(corners[v], direction, depth));
-        }
-    }
-    let outer_of = |v: usize, on_wall: &[Option<u32>]| on_wall[v].unwrap_or(v as u32);
-    let mut sections = Vec::new();
-    for ((end, &s), &quad) in cluster.ends.iter().zip(reach).zip(&assignment.quads) {
-        let (at, radius) = end.at(tubes, s);
-        let axis = end.tangent(tubes, s);
-        let quad = core.quads[quad];
-        let start: [DVec3; 4] = quad.map(|v| corners[v]);
-        let side = side_of(&start, axis);
-        let (e1, e2) = (side, axis.cross(side));
-        let direction = |k: usize| {
-            let angle = std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
-            e1 * libm::cos(angle) + e2 * libm::sin(angle)
-        };
-        let distance = start.iter().copied().sum::<DVec3>().distance(4.0 * at) / 4.0;
-        let layers = ((distance / (1.5 * radius)).round() as usize).clamp(1, 12);
-        let shares = match ball {
-            // On the ball, the last layers follow the wall into the concave corner where the tube begins.
-            Some(_) => {
-                let way = quad.map(|v| corners[outer_of(v, &on_wall) as usize].distance(at) - radius);
-                graded(way.iter().sum::<f64>() / 4.0, layers, ON_BALL * radius)
+            let axis = end.tangent(tubes, s);
+            let quad = core.quads[quad];
+            let start: [DVec3; 4] = quad.map(|v| corners[v]);
+            let side = side_of(&start, axis);
+            let (e1, e2) = (side, axis.cross(side));
+            let direction = |k: usize| {
+                let angle = std::f64::consts::FRAC_PI_4 * (2 * k + 1) as f64;
+                e1 * libm::cos(angle) + e2 * libm::sin(angle)
+            };
+            let distance = start.iter().copied().sum::<DVec3>().distance(4.0 * at) / 4.0;
+            let layers = ((distance / (1.5 * radius)).round() as usize).clamp(1, 12);
+            let shares = match ball {
+                // On the ball, the last layers follow the wall into the concave corner where the tube begins.
+                Some(_) => {
+                    let way = quad.map(|v| corners[outer_of(v, &on_wall) as usize].distance(at) - radius);
+                    graded(way.iter().sum::<f64>() / 4.0, layers, ON_BALL * radius)
+                }
+                None => (1..=layers).map(|k| k as f64 / layers as f64).collect(),
+            };
+            let mut inner = quad.map(|v| v as u32);
+            let mut outer = quad.map(|v| outer_of(v, &on_wall));
+            for (layer, &t) in shares.iter().enumerate() {
+                let mut next_inner = [0; 4];
+                let mut next_outer = [0; 4];
+                let target: [DVec3; 4] = [0, 1, 2, 3].map(|k| at + direction(k) * (CORE * radius));
+                // Where the tube turns within the node, the rings follow its axis.
+                let bow = end.at(tubes, t * s).0 - end.at(tubes, 0.0).0.lerp(at, t);
+                let ring: [DVec3; 4] = [0, 1, 2, 3].map(|k| start[k].lerp(target[k], t) + bow);
+                let middle = ring.iter().copied().sum::<DVec3>() / 4.0;
+                for k in 0..4 {
+                    next_inner[k] = corners.len() as u32;
+                    corners.push(ring[k]);
+                    next_outer[k] = corners.len() as u32;
+                    let out = (ring[k] - middle).normalize_or(direction(k));
+                    let rim = at + direction(k) * radius;
+                    corners.push(match ball {
+                        _ if layer + 1 == shares.len() => rim,
+                        // From the core's corner to the tube along the ball: a ray across a thin tube would leave in another one.
+                        Some((ball, _)) => {
+                            let [from, to] = [start[k], rim].map(|p| (p - ball).normalize_or(out));
+                            let out = from.lerp(to, t).normalize_or(out);
+                            wall.leave(ball, out, depth)
+                        }
+                        None => wall.leave(ring[k], out, radius),
+                    });
+                }
+                layer_of(&mut blocks, [inner, outer], [next_inner, next_outer]);
+                (inner, outer) = (next_inner, next_outer);
             }
-            None => (1..=layers).map(|k| k as f64 / layers as f64).collect(),
-        };
-        let mut inner = quad.map(|v| v as u32);
-        let mut outer = quad.map(|v| outer_of(v, &on_wall));
-        for (layer, &t) in shares.iter().enumerate() {
-            let mut next_inner = [0; 4];
-            let mut next_outer = [0; 4];
-            let target: [DVec3; 4] = [0, 1, 2, 3].map(|k| at + direction(k) * (CORE * radius));
-            // Where the tube turns within the node, the rings follow its axis.
-            let bow = end.at(tubes, t * s).0 - end.at(tubes, 0.0).0.lerp(at, t);
-            let ring: [DVec3; 4] = [0, 1, 2, 3].map(|k| start[k].lerp(target[k], t) + bow);
-            let middle = ring.iter().copied().sum::<DVec3>() / 4.0;
-            for k in 0..4 {
-                next_inner[k] = corners.len() as u32;
-                corners.push(ring[k]);
-                next_outer[k] = corners.len() as u32;
-                let out = (ring[k] - middle).normalize_or(direction(k));
-                let rim = at + direction(k) * radius;
-                corners.push(match ball {
-                    _ if layer + 1 == shares.len() => rim,
-                    // From the core's corner to the tube along the ball: a ray across a thin tube would leave in another one.
-                    Some((ball, _)) => {
-                        let [from, to] = [start[k], rim].map(|p| (p - ball).normalize_or(out));
-                        let out = from.lerp(to, t).normalize_or(out);
-                        wall.leave(ball, out, depth)
-                    }
-                    None => wall.leave(ring[k], out, radius),
-                });
+            sections.push(Section { at: s, side, inner, outer });
+        }
+        for (index, quad) in core.quads.iter().enumerate() {
+            if !assignment.quads.contains(&index) {
+                let [a, b, c, d] = quad.map(|v| v as u32);
+                let [e, f, g, h] = quad.map(|v| outer_of(v, &on_wall));
+                blocks.push([a, b, c, d, e, f, g, h]);
             }
-            layer_of(&mut blocks, [inner, outer], [next_inner, next_outer]);
-            (inner, outer) = (next_inner, next_outer);
         }
-        sections.push(Section { at: s, side, inner, outer });
+        let mut refinement = Refinement::new(parts);
+        let cells: Vec<[u32; 8]> = blocks
+            .iter()
+            .flat_map(|&block| {
+                let lattice = refinement.lattice(block);
+                refinement.cells(&lattice).collect::<Vec<_>>()
+            })
+            .collect();
+        let mut positions: Vec<DVec3> =
+            refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
+        let outer = outer_faces(&cells);
+        let kinds = kinds(cluster, tubes, &sections, &refinement, &outer, &mut positions);
+        let sizes: Vec<f64> = if ball.is_some() {
+            cells.iter().map(|cell| size_of(&cell.map(|v| positions[v as usize]))).collect()
+        } else {
+            vec![depth; cells.len()]
+        };
+        let quality =
+            optimise((&cells, &kinds, &outer), wall, (depth, &sizes, following), &mut positions, control);
+        let free = (0..kinds.len() as u32).filter(|&v| kinds[v as usize] != Kind::Fixed).collect();
+        let is_free = |face: &[u32; 4]| face.iter().any(|v| kinds[*v as usize] != Kind::Fixed);
+        let faces: Vec<[u32; 4]> = outer.iter().filter(|face| is_free(face)).copied().collect();
+        let off = self.cones.map_or(0.0, |cones| Skin::new(cones, &faces, &positions, 0.0).off(&positions));
+        let node = NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality };
+        Draft { node, cells, sizes, scale: depth, free, faces, off }
     }
-    for (index, quad) in core.quads.iter().enumerate() {
-        if !assignment.quads.contains(&index) {
-            let [a, b, c, d] = quad.map(|v| v as u32);
-            let [e, f, g, h] = quad.map(|v| outer_of(v, &on_wall));
-            blocks.push([a, b, c, d, e, f, g, h]);
-        }
-    }
-    let mut refinement = Refinement::new(parts);
-    let cells: Vec<[u32; 8]> = blocks
-        .iter()
-        .flat_map(|&block| {
-            let lattice = refinement.lattice(block);
-            refinement.cells(&lattice).collect::<Vec<_>>()
-        })
-        .collect();
-    let mut positions: Vec<DVec3> =
-        refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
-    let outer = outer_faces(&cells);
-    let kinds = kinds(cluster, tubes, &sections, &refinement, &outer, &mut positions);
-    let sizes: Vec<f64> = if ball.is_some() {
-        cells.iter().map(|cell| size_of(&cell.map(|v| positions[v as usize]))).collect()
-    } else {
-        vec![depth; cells.len()]
-    };
-    let quality =
-        optimise((&cells, &kinds, &outer), wall, (depth, &sizes, following), &mut positions, control);
-    NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality }
 }
 
 /// Length of a layer of an arm on a ball, in radii of the arm.
@@ -589,6 +637,7 @@ fn optimise(
         shape: Shape::MeanRatio { epsilon: 0.1 },
         wall: None,
         middles: (&[], following),
+        skin: None,
         scale,
         sizes,
         control,
@@ -650,7 +699,7 @@ fn optimise(
 }
 
 /// The least scaled Jacobian over all cells, but for the gap of its bounds.
-fn quality(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
+pub(super) fn quality(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
     let at_points = quality_at_points(cells, positions);
     let bound = |cell: &[u32; 8]| scaled_jacobian_bound(&cell.map(|v| positions[v as usize]), at_points);
     if at_points > 0.0 { cells.iter().map(bound).fold(at_points, f64::min) } else { at_points }

@@ -39,7 +39,7 @@ impl Wall {
         }
         let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
         for (distance, centre) in found {
-            if distance - nearest > FAR * self.blend {
+            if distance - nearest > self.range() {
                 continue;
             }
             let weight = libm::exp((nearest - distance) / self.blend);
@@ -47,6 +47,11 @@ impl Wall {
             gradient += weight * (p - centre).normalize_or_zero();
         }
         (nearest - self.blend * libm::log(sum), gradient / sum)
+    }
+
+    /// Distance beyond the nearest group from which on another one does not change the wall.
+    pub(super) fn range(&self) -> f64 {
+        FAR * self.blend
     }
 
     /// Adds the penalty for vertices off the wall to an energy, `weight` times the squared distance over `scale`, and its

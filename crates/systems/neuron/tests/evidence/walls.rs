@@ -285,3 +285,61 @@ fn turns_beside_nodes_are_followed() {
     let wall = found.wall.unwrap();
     assert!(wall.in_radii()[1] < 0.3, "{wall:?}");
 }
+
+impl Random {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+
+    fn direction(&mut self) -> DVec3 {
+        loop {
+            let p = DVec3::new(self.next(), self.next(), self.next()) * 2.0 - 1.0;
+            if (0.1..1.0).contains(&p.length()) {
+                return p.normalize();
+            }
+        }
+    }
+
+    /// A direction at a random angle of at most `most` degrees from another one.
+    fn turned(&mut self, from: DVec3, most: f64) -> DVec3 {
+        let across = self.direction().reject_from(from).normalize();
+        let (sine, cosine) = libm::sincos(self.between(0.0, most).to_radians());
+        from * cosine + across * sine
+    }
+}
+
+/// A node with two to four daughters, at least `apart` degrees from one another and from the parent, that taper and turn.
+fn furcation(random: &mut Random, apart: f64) -> String {
+    let mut text = String::from("1 2 0 0 0 1 -1\n2 2 7 0 0 0.95 1\n");
+    let count = 2 + (3.0 * random.next()) as usize;
+    let mut directions = vec![-DVec3::X];
+    while directions.len() <= count {
+        let d = random.direction();
+        if directions.iter().all(|other| other.angle_between(d).to_degrees() >= apart) {
+            directions.push(d);
+        }
+    }
+    let mut id = 2;
+    for mut d in directions.into_iter().skip(1) {
+        let (mut p, mut radius, mut parent) = (DVec3::X * 7.0, random.between(0.4, 0.95), 2);
+        for step in 0..3 {
+            p += d * (random.between(4.0, 7.0) * radius + if step == 0 { 4.0 } else { 0.0 });
+            id += 1;
+            let _ = writeln!(text, "{id} 2 {} {} {} {radius} {parent}", p.x, p.y, p.z);
+            (parent, radius, d) = (id, radius * random.between(0.85, 1.0), random.turned(d, 45.0));
+        }
+    }
+    text
+}
+
+#[test]
+fn walls_follow_the_creases_of_nodes() {
+    let mut random = Random(23);
+    for case in 0..pompeiu_testkit::effort::cases(8) {
+        let text = furcation(&mut random, 40.0);
+        let found = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+        assert!(found.certified && found.min_scaled_jacobian > 0.25, "{case}: {found:?}");
+        let [lower, upper] = found.wall.unwrap().in_radii();
+        assert!(lower < 0.2 && upper < 0.21, "{case}: {lower} {upper}\n{text}");
+    }
+}
