@@ -108,7 +108,9 @@ def test_nearly_equilateral_faces():
     assert found.distance.upper == pytest.approx(pompeiu.hausdorff(sphere, found.mesh).upper, abs=1e-9)
     within = pompeiu.remesh(sphere, edge_length=0.5, within=0.01)
     assert within.distance.upper <= 0.01
-    for options in ({}, {"edge_length": 0.1, "adaptive": 0.1}, {"edge_length": -1.0}, {"edge_length": 1e9}):
+    as_it_was = pompeiu.remesh(sphere)
+    assert as_it_was.report["edge_length"] == as_it_was.before["edge_length"]["mean"]
+    for options in ({"edge_length": 0.1, "adaptive": 0.1}, {"edge_length": -1.0}, {"edge_length": 1e9}):
         with pytest.raises(pompeiu.OptionError):
             pompeiu.remesh(sphere, **options)
 
