@@ -64,6 +64,19 @@ def test_the_wall_is_compared_with_the_skeleton():
         skeleton.mesh(within=0)
 
 
+def test_cells_that_are_not_proven_are_named():
+    # A bend of half the radius of the tube.
+    text = (
+        b"1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2 3\n5 2 8 0 0 2 4\n6 2 8.8 0.5 0 2 5\n"
+        b"7 2 9 1 0 2 6\n8 2 8.8 1.5 0 2 7\n9 2 8 2 0 2 8\n10 2 6 2 0 2 9\n11 2 0 3 0 2 10\n"
+    )
+    mesh = pompeiu.read_skeleton(text).mesh()
+    assert not mesh.certified
+    worst = mesh.report["unproven"][0]
+    assert set(worst) == {"cell", "scaled_jacobian", "centre", "sample", "line"}
+    assert worst["scaled_jacobian"] == min(place["scaled_jacobian"] for place in mesh.report["unproven"])
+
+
 def test_what_cannot_be_meshed_is_said():
     with pytest.raises(pompeiu.OptionError, match="line 4: sample 4 has the radius 0"):
         pompeiu.read_skeleton(Y).mesh()

@@ -67,7 +67,7 @@ pub use flow::{
 };
 pub use mesh::{
     BeyondSample, Cap, CubicMesh, DirectedDistance, Ends, MeshError, MeshOptions, MeshReport, NeuronMesh,
-    Side, WallDistance, cubic_neuron, mesh_neuron,
+    Side, UnprovenCell, WallDistance, cubic_neuron, mesh_neuron,
 };
 pub use prepare::{Preparation, PreparedSkeleton, prepare};
 pub use problems::{MOST_TURN, Problem, ProblemKind, problems};

@@ -1198,3 +1198,21 @@ CELLS 2 9
 CELL_TYPES 2
 10 5
 ";
+
+#[test]
+fn cells_of_a_neuron_that_are_not_proven_are_named() {
+    let folder = Folder::new();
+    // A bend of half the radius of the tube.
+    let text = "1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2 3\n5 2 8 0 0 2 4\n6 2 8.8 0.5 0 2 5\n7 2 9 1 0 2 6\n8 2 8.8 1.5 0 2 7\n9 2 8 2 0 2 8\n10 2 6 2 0 2 9\n11 2 0 3 0 2 10\n";
+    folder.write("bend.swc", text);
+    let mesh = &json(&folder, "neuron mesh bend.swc --json")["mesh"];
+    let unproven = mesh["unproven"].as_array().unwrap();
+    assert_eq!(mesh["certified"], false);
+    assert!(unproven[0]["scaled_jacobian"].as_f64().unwrap() <= 0.0);
+    assert_eq!(keys(&unproven[0]), sorted(&["cell", "scaled_jacobian", "centre", "sample", "line"]));
+    let answer = folder.run("neuron mesh bend.swc -o bend.vtu");
+    let answer = String::from_utf8(answer.stdout).unwrap();
+    let row = answer.lines().find(|line| line.starts_with("unproven")).unwrap();
+    let (line, cell) = (&unproven[0]["line"], &unproven[0]["cell"]);
+    assert!(row.contains(&format!("line {line}: cell {cell} at (")), "{row}");
+}

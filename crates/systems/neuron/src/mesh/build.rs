@@ -342,6 +342,11 @@ fn mesh_nodes(
     nodes.into_iter().collect()
 }
 
+/// The mean of the corners of a cell.
+pub(super) fn mean(corners: &[DVec3; 8]) -> DVec3 {
+    corners.iter().sum::<DVec3>() / 8.0
+}
+
 fn finish(
     skeleton: &Skeleton,
     parts: &Parts,
@@ -377,7 +382,8 @@ fn finish(
         vertices: mesh.positions().len(),
         hexahedra: mesh.cells().len(),
         min_scaled_jacobian: proof.least,
-        certified: proof.certified,
+        certified: proof.is_complete(),
+        unproven: proof.places(Some(skeleton), |cell| mean(&mesh.corners(mesh.cells()[cell]))),
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

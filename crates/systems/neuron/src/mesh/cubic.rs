@@ -1,7 +1,7 @@
 //! Tricubic meshes of neurons.
 
 use super::assembly::{Assembly, NodeBlocks};
-use super::build::{Blocks, Cap, Parts, labels};
+use super::build::{Blocks, Cap, Parts, labels, mean};
 use super::cubic_node::{CubicNode, bend};
 use super::distance::{Net, wall_distance};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
@@ -226,7 +226,8 @@ fn finish(
         vertices: vertices.len(),
         hexahedra: mesh.cells().len(),
         min_scaled_jacobian: proof.least,
-        certified: proof.certified,
+        certified: proof.is_complete(),
+        unproven: proof.places(Some(skeleton), |cell| mean(&corners.corners(corners.cells()[cell]))),
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

@@ -1,6 +1,6 @@
 //! Imported hexahedral meshes.
 
-use super::build::{Cap, NeuronMesh};
+use super::build::{Cap, NeuronMesh, mean};
 use super::cubic::CubicMesh;
 use super::options::{MeshError, MeshReport};
 use super::proof::CellProof;
@@ -159,16 +159,17 @@ fn at_labels(mesh: &HexMesh, faces: &Faces, labels: &[f64]) -> Result<Vec<i64>, 
     Ok(faces.boundary().iter().zip(&counted).map(decide).collect())
 }
 
-fn report(vertices: usize, hexahedra: usize, proof: &CellProof) -> Result<MeshReport, MeshError> {
+fn report(mesh: &HexMesh, proof: &CellProof) -> Result<MeshReport, MeshError> {
     let (cell, quality) = proof.worst;
     if quality <= 0.0 {
         return Err(MeshError::Folded { cell, quality });
     }
     Ok(MeshReport {
-        vertices,
-        hexahedra,
+        vertices: mesh.positions().len(),
+        hexahedra: mesh.cells().len(),
         min_scaled_jacobian: proof.least,
-        certified: proof.certified,
+        certified: proof.is_complete(),
+        unproven: proof.places(None, |cell| mean(&mesh.corners(mesh.cells()[cell]))),
         wall: None,
         left_out: Vec::new(),
         moved: Vec::new(),
@@ -184,7 +185,7 @@ impl NeuronMesh {
     pub fn from_hexahedra(mesh: HexMesh, at: Ends<'_>, limits: &Limits) -> Result<Self, MeshError> {
         let control = Control::start(limits);
         let proof = CellProof::of_cells(&mesh, &control)?;
-        let report = report(mesh.positions().len(), mesh.cells().len(), &proof)?;
+        let report = report(&mesh, &proof)?;
         let faces = Faces::new(&mesh)?;
         let (labels, caps) = ends(&mesh, &faces, at)?;
         let parts = vec![0; mesh.cells().len()];
@@ -221,7 +222,7 @@ fn patches(mesh: &HexMesh, limits: &Limits) -> Result<(BezierMesh, Faces, MeshRe
     let control = Control::start(limits);
     let cubic = BezierMesh::from_trilinear(mesh);
     let proof = CellProof::of_patches(&cubic, &control)?;
-    let report = report(mesh.positions().len(), mesh.cells().len(), &proof)?;
+    let report = report(mesh, &proof)?;
     let faces = Faces::new(&cubic.corner_mesh()?)?;
     Ok((cubic, faces, report))
 }

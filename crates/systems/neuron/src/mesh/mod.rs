@@ -32,5 +32,7 @@ pub use build::{Cap, NeuronMesh, mesh_neuron};
 pub use cubic::{CubicMesh, cubic_neuron};
 pub(crate) use cubic::{LINEAR_PARTS, cubic_vtu, linear_share};
 pub use import::{Ends, Side};
-pub use options::{BeyondSample, DirectedDistance, MeshError, MeshOptions, MeshReport, WallDistance};
+pub use options::{
+    BeyondSample, DirectedDistance, MeshError, MeshOptions, MeshReport, UnprovenCell, WallDistance,
+};
 pub(crate) use options::{ended_by, go_on};

@@ -69,6 +69,10 @@ pub struct MeshReport {
     pub min_scaled_jacobian: f64,
     /// Whether the Jacobian determinant is proven positive over every cell.
     pub certified: bool,
+    /// Cells over which the Jacobian determinant is not proven positive, the worst first; omitted if there are none.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<UnprovenCell>>"))]
+    pub unproven: Vec<UnprovenCell>,
     /// The distance of the mesh's wall from the surface of the skeleton's cones, both ways; omitted if it was not computed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub wall: Option<WallDistance>,
@@ -81,6 +85,25 @@ pub struct MeshReport {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]
     pub moved: Vec<String>,
+}
+
+/// A cell over which the Jacobian determinant is not proven positive: it is folded, or nearly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct UnprovenCell {
+    /// Its number, or that of the patch; the first is 0.
+    pub cell: usize,
+    /// Its least scaled Jacobian at points: not above 0 if it is folded there.
+    pub scaled_jacobian: f64,
+    /// The mean of its corners, in micrometres.
+    pub centre: [f64; 3],
+    /// The nearest sample, by its number in the file; omitted without a skeleton.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub sample: Option<i64>,
+    /// The line of this sample, from 1; omitted without a skeleton.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub line: Option<usize>,
 }
 
 /// The distance of the wall from the surface of the union of the cones of the skeleton in the file, both ways.

@@ -1,6 +1,8 @@
 //! What is proven of the shape of all cells of a mesh.
 
-use super::options::{MeshError, go_on};
+use super::options::{MeshError, UnprovenCell, go_on};
+use crate::{Sample, Skeleton};
+use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::{
     BezierMesh, HexMesh, Jacobian, certify, certify_bezier, scaled_jacobian, scaled_jacobian_bezier,
@@ -12,8 +14,8 @@ use rayon::prelude::*;
 pub(super) struct CellProof {
     /// A proven lower bound on the scaled Jacobian over all cells.
     pub(super) least: f64,
-    /// Whether every determinant is proven positive.
-    pub(super) certified: bool,
+    /// The cells whose determinant is not proven positive, with their least scaled Jacobian at points, the worst first.
+    unproven: Vec<(usize, f64)>,
     /// The cell with the least scaled Jacobian at points, and this value.
     pub(super) worst: (usize, f64),
 }
@@ -54,6 +56,36 @@ impl CellProof {
         let bounds = (0..count).into_par_iter().filter(going).map(|cell| bound(cell, worst.1));
         let least = bounds.reduce(|| f64::INFINITY, |a, b| if a < b { a } else { b });
         go_on(control)?;
-        Ok(Self { least, certified: found.iter().all(|(_, certified)| *certified), worst })
+        let unproven = found.iter().enumerate().filter(|(_, (_, is_proven))| !is_proven);
+        let mut unproven: Vec<(usize, f64)> = unproven.map(|(cell, (value, _))| (cell, *value)).collect();
+        unproven.sort_by(|a, b| a.1.total_cmp(&b.1));
+        Ok(Self { least, unproven, worst })
+    }
+
+    /// Whether every determinant is proven positive.
+    pub(super) fn is_complete(&self) -> bool {
+        self.unproven.is_empty()
+    }
+
+    /// The cells whose determinant is not proven positive, given the centre of each cell, and the samples next to them.
+    pub(super) fn places(
+        &self,
+        skeleton: Option<&Skeleton>,
+        centre: impl Fn(usize) -> DVec3,
+    ) -> Vec<UnprovenCell> {
+        let place = |&(cell, scaled_jacobian): &(usize, f64)| {
+            let centre = centre(cell);
+            let samples = skeleton.map_or(&[][..], Skeleton::samples).iter();
+            let square = |sample: &Sample| sample.position.distance_squared(centre);
+            let nearest = samples.min_by(|a, b| square(a).total_cmp(&square(b)));
+            UnprovenCell {
+                cell,
+                scaled_jacobian,
+                centre: centre.to_array(),
+                sample: nearest.map(|sample| sample.id),
+                line: nearest.map(|sample| sample.line),
+            }
+        };
+        self.unproven.iter().map(place).collect()
     }
 }

@@ -1,7 +1,7 @@
 //! Meshes: closed forms, conformity, certificates, difficult cases, rejected input, the same bits at any number of threads.
 
 use pompeiu_core::run::{Limits, StopReason};
-use pompeiu_neuron::{MeshError, MeshOptions, NeuronMesh, Skeleton, mesh_neuron, read_swc};
+use pompeiu_neuron::{MeshError, MeshOptions, NeuronMesh, Skeleton, cubic_neuron, mesh_neuron, read_swc};
 use pompeiu_volume::volume;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -226,4 +226,34 @@ fn turns_are_followed() {
     // Turned back on itself: no section is between, and that is said.
     let back = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.4 0 1 2\n4 2 -6 0.4 0 1 3\n";
     assert_eq!(mesh(back, &quick()).report.moved.len(), 1);
+}
+
+/// A bend of radius 1 in a tube of radius 2.
+const HAIRPIN: &str = "1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2 3\n5 2 8 0 0 2 4\n6 2 8.479 0.122 0 2 5\n7 2 8.841 0.46 0 2 6\n\
+    8 2 8.997 0.929 0 2 7\n9 2 8.909 1.416 0 2 8\n10 2 8.598 1.801 0 2 9\n11 2 8.042 1.999 0 2 10\n12 2 6 2 0 2 11\n13 2 4 2.2 0 2 12\n14 2 0 3 0 2 13\n";
+
+#[test]
+fn cells_that_are_not_proven_are_named_with_their_places() {
+    assert_eq!(mesh("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n", &quick()).report.unproven, []);
+    let skeleton = skeleton(HAIRPIN);
+    let found = mesh_neuron(&skeleton, &quick()).unwrap();
+    let unproven = &found.report.unproven;
+    assert!(!found.report.certified && !unproven.is_empty());
+    assert!(unproven.windows(2).all(|pair| pair[0].scaled_jacobian <= pair[1].scaled_jacobian));
+    for place in unproven {
+        let corners = found.mesh.corners(found.mesh.cells()[place.cell]);
+        assert_ne!(pompeiu_volume::certify(&corners), pompeiu_volume::Jacobian::Positive);
+        let away = |sample: usize| skeleton.samples()[sample].position.distance(place.centre.into());
+        let named = skeleton.samples().iter().position(|sample| Some(sample.id) == place.sample).unwrap();
+        assert!((0..skeleton.samples().len()).all(|other| away(named) <= away(other)), "{place:?}");
+        assert_eq!(place.line, place.sample.map(|sample| sample as usize));
+        assert!(corners.iter().any(|p| p.distance(place.centre.into()) < 4.0), "{place:?}");
+    }
+    let every = found.mesh.cells().iter().filter(|cell| {
+        pompeiu_volume::certify(&found.mesh.corners(**cell)) != pompeiu_volume::Jacobian::Positive
+    });
+    assert_eq!(every.count(), unproven.len());
+    let cubic = cubic_neuron(&skeleton, &quick()).unwrap().report;
+    assert_eq!(cubic.certified, cubic.unproven.is_empty());
+    assert!(cubic.unproven.iter().all(|place| place.line.is_some()) && !cubic.certified);
 }

@@ -4,7 +4,7 @@ use super::args::Files;
 use crate::door::AnswerOf;
 use crate::numbers::{between, counted, few, grouped, time};
 use crate::page::Page;
-use pompeiu::neuron::{SkeletonReport, WallDistance};
+use pompeiu::neuron::{SkeletonReport, UnprovenCell, WallDistance};
 use std::time::Duration;
 
 /// Problems that are listed; JSON lists all.
@@ -44,6 +44,23 @@ fn add_skeleton(page: &mut Page, path: &str, skeleton: &SkeletonReport) {
     }
     if problems.len() > LISTED {
         page.row("", &format!("and {} more, all in --json", number(problems.len() - LISTED)));
+    }
+}
+
+/// The cells that are not proven valid, with their places.
+fn add_unproven(page: &mut Page, unproven: &[UnprovenCell]) {
+    for (i, place) in unproven.iter().take(LISTED).enumerate() {
+        let [x, y, z] = place.centre.map(few);
+        let cell = grouped(place.cell as u64);
+        let mut row =
+            format!("cell {cell} at ({x}, {y}, {z}) µm: scaled Jacobian {:.3}", place.scaled_jacobian);
+        if let (Some(line), Some(sample)) = (place.line, place.sample) {
+            row = format!("line {line}: {row}, near sample {sample}");
+        }
+        page.row(if i == 0 { "unproven" } else { "" }, &row);
+    }
+    if unproven.len() > LISTED {
+        page.row("", &format!("and {} more, all in --json", grouped((unproven.len() - LISTED) as u64)));
     }
 }
 
@@ -122,6 +139,7 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
             "quality",
             &format!("scaled Jacobian at least {:.3}", rounded_down(mesh.min_scaled_jacobian)),
         );
+        add_unproven(&mut page, &mesh.unproven);
         if let Some(wall) = &mesh.wall {
             add_wall(&mut page, wall);
         }
