@@ -147,6 +147,8 @@ def test_splines_are_refined_where_they_are_asked_to_be(tmp_path):
     levels, report = splines.elements[:, 0], splines.report["spline"]
     assert [level["elements"] for level in report["levels"]] == list(np.bincount(levels))
     assert report["partition_of_unity_error"] <= 1e-14 and (0.125**levels).sum() == 25 * 8
+    # Polygons of twelve sides in circles.
+    assert abs(splines.report["mesh"]["linear_share"] - 0.955) < 1e-3
     starts, functions, coefficients = splines.extraction()
     assert len(starts) == len(splines.elements) + 1 and functions.max() == report["functions"] - 1
     sums = np.add.reduceat(coefficients, starts[:-1])

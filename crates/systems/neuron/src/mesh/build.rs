@@ -384,6 +384,7 @@ fn finish(
         min_scaled_jacobian: proof.least,
         certified: proof.is_complete(),
         unproven: proof.places(Some(skeleton), |cell| mean(&mesh.corners(mesh.cells()[cell]))),
+        linear_share: None,
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

@@ -228,6 +228,7 @@ fn finish(
         min_scaled_jacobian: proof.least,
         certified: proof.is_complete(),
         unproven: proof.places(Some(skeleton), |cell| mean(&corners.corners(corners.cells()[cell]))),
+        linear_share: Some(linear_share(&mesh, LINEAR_PARTS)?),
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

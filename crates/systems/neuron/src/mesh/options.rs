@@ -73,6 +73,10 @@ pub struct MeshReport {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<UnprovenCell>>"))]
     pub unproven: Vec<UnprovenCell>,
+    /// The volume of the trilinear cells that stand for tricubic ones in files, three along each edge, as a share of theirs; omitted for trilinear
+    /// cells. The sides of sections are chords there, so that areas of sections shrink likewise.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub linear_share: Option<f64>,
     /// The distance of the mesh's wall from the surface of the skeleton's cones, both ways; omitted if it was not computed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub wall: Option<WallDistance>,
