@@ -4,6 +4,7 @@ use super::morton_order;
 use crate::geom::{Aabb, Frame};
 use crate::mesh::{FaceId, TriMesh};
 use glam::DVec3;
+use multiversion::multiversion;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -36,8 +37,8 @@ use std::f64::consts::PI;
 #[derive(Clone, Debug)]
 pub struct Winding {
     frame: Frame,
-    /// Corners in the frame, in spatial order.
-    triangles: Vec<[DVec3; 3]>,
+    /// Corners in the frame, in spatial order, [`GROUP`] triangles at a time.
+    triangles: Vec<Triangles>,
     /// Groups of [`GROUP`] triangles, then groups of [`GROUP`] groups, and so on up to one group.
     levels: Vec<Vec<Group>>,
 }
@@ -82,6 +83,7 @@ impl Winding {
         let triangles: Vec<[DVec3; 3]> = morton_order(mesh, &aabb).into_par_iter().map(corners).collect();
         let mut levels = Vec::new();
         let mut size = GROUP;
+        let all = triangles.par_chunks(GROUP).map(Triangles::new).collect();
         loop {
             levels.push(triangles.par_chunks(size).map(Group::new).collect::<Vec<_>>());
             if size >= triangles.len() {
@@ -89,7 +91,7 @@ impl Winding {
             }
             size *= GROUP;
         }
-        Self { frame, triangles, levels }
+        Self { frame, triangles: all, levels }
     }
 
     /// The number at a point, in the unit of the mesh; computed accurately enough to decide on which side of one half it lies,
@@ -135,10 +137,7 @@ impl Winding {
                 let last = (first + GROUP as u32).min(self.levels[level as usize - 1].len() as u32);
                 stack.extend((first..last).rev().map(|place| (level - 1, place)));
             } else {
-                let first = place as usize * GROUP;
-                let last = self.triangles.len().min(first + GROUP);
-                value +=
-                    self.triangles[first..last].iter().map(|t| solid_angle(q, t)).sum::<f64>() / (4.0 * PI);
+                value += self.triangles[place as usize].solid_angle(q.to_array()) / (4.0 * PI);
             }
         }
         WindingNumber { value, error }
@@ -167,6 +166,73 @@ fn solid_angle(q: DVec3, triangle: &[DVec3; 3]) -> f64 {
     let across = a.dot(b.cross(c));
     let along = x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y;
     2.0 * libm::atan2(across, along)
+}
+
+/// Coordinates of the corners of [`GROUP`] triangles: for each corner, each axis. Places that are left over repeat a point, which subtends
+/// no angle.
+#[derive(Clone, Debug)]
+struct Triangles([[[f64; GROUP]; 3]; 3]);
+
+/// Directions whose angles are half of the solid angles of triangles: adjacent and opposite sides, not all longer than 1.
+type Directions = [[f64; GROUP]; 2];
+
+/// Sides shorter than this are not scaled to about 1, for reciprocals of shorter ones may overflow.
+const SHORT: f64 = 1e-300;
+
+impl Triangles {
+    fn new(triangles: &[[DVec3; 3]]) -> Self {
+        let corner = |i: usize, k: usize| triangles.get(i).map_or(triangles[0][0], |triangle| triangle[k]);
+        Self([0, 1, 2].map(|k| [0, 1, 2].map(|axis| std::array::from_fn(|i| corner(i, k).to_array()[axis]))))
+    }
+
+    /// The signed solid angle of all seen from a point, positive from behind.
+    ///
+    /// Angles add up where directions are multiplied as complex numbers. A product of two in the same half of the plane that is in the other half
+    /// has gone past the negative axis: a turn is lost, and is counted.
+    fn solid_angle(&self, q: [f64; 3]) -> f64 {
+        let [mut along, mut across] = directions(&self.0, q);
+        if along.iter().zip(&across).any(|(x, y)| x.abs() + y.abs() < SHORT) {
+            return 2.0 * along.iter().zip(&across).map(|(x, y)| libm::atan2(*y, *x)).sum::<f64>();
+        }
+        let mut turns = 0.0;
+        let mut left = GROUP;
+        while left > 1 {
+            left /= 2;
+            for i in 0..left {
+                let ([a, b], [c, d]) = ([along[i], across[i]], [along[i + left], across[i + left]]);
+                let y = a * d + b * c;
+                let is_same = b.is_sign_negative() == d.is_sign_negative();
+                let is_past = is_same && y.is_sign_negative() != b.is_sign_negative();
+                turns += if is_past { 1.0_f64.copysign(b) } else { 0.0 };
+                (along[i], across[i]) = (a * c - b * d, y);
+            }
+        }
+        2.0 * (libm::atan2(across[0], along[0]) + 2.0 * PI * turns)
+    }
+}
+
+/// For each triangle a direction whose angle is half of the solid angle seen from a point; scaled to about 1, unless it is [`SHORT`].
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
+fn directions(corners: &[[[f64; GROUP]; 3]; 3], q: [f64; 3]) -> Directions {
+    let [mut along, mut across] = [[0.0; GROUP]; 2];
+    for i in 0..GROUP {
+        let at = |corner: usize, axis: usize| corners[corner][axis][i] - q[axis];
+        let [ax, ay, az] = [at(0, 0), at(0, 1), at(0, 2)];
+        let [bx, by, bz] = [at(1, 0), at(1, 1), at(1, 2)];
+        let [cx, cy, cz] = [at(2, 0), at(2, 1), at(2, 2)];
+        let x = (ax * ax + ay * ay + az * az).sqrt();
+        let y = (bx * bx + by * by + bz * bz).sqrt();
+        let z = (cx * cx + cy * cy + cz * cz).sqrt();
+        let (ab, bc, ca) =
+            (ax * bx + ay * by + az * bz, bx * cx + by * cy + bz * cz, cx * ax + cy * ay + cz * az);
+        let opposite = ax * (by * cz - cy * bz) + ay * (bz * cx - cz * bx) + az * (bx * cy - cx * by);
+        let adjacent = x * y * z + ab * z + bc * x + ca * y;
+        let size = adjacent.abs() + opposite.abs();
+        let scale = if size < SHORT { 1.0 } else { 1.0 / size };
+        along[i] = adjacent * scale;
+        across[i] = opposite * scale;
+    }
+    [along, across]
 }
 
 /// Moments of a group of triangles about its centre: the coefficients of the Taylor series of the integrand, to be contracted with
@@ -380,6 +446,29 @@ mod tests {
             assert!((w.value + v.value).abs() < 1e-12 && w.is_inside() == v.is_inside());
         }
         assert!(there.about([0.0; 3]).value > 0.9, "faces turn outwards");
+    }
+
+    /// Also where a point lies in the plane of triangles, on them, or at a corner, where angles of half a turn and more add up.
+    #[test]
+    fn angles_of_eight_triangles_add_up() {
+        let mut random = Random::new(3);
+        for round in 0..2000 {
+            let mut coordinate =
+                || if round % 2 == 0 { random.signed_unit() } else { (2.0 * random.signed_unit()).round() };
+            let mut point = || DVec3::from_array([0; 3].map(|_| coordinate()));
+            let count = 1 + round % GROUP;
+            let triangles: Vec<[DVec3; 3]> = (0..count).map(|_| [point(), point(), point()]).collect();
+            for q in [
+                DVec3::ZERO,
+                point(),
+                triangles[0][1],
+                (triangles[0][0] + triangles[0][1] + triangles[0][2]) / 3.0,
+            ] {
+                let found = Triangles::new(&triangles).solid_angle(q.to_array());
+                let each: f64 = triangles.iter().map(|triangle| solid_angle(q, triangle)).sum();
+                assert!((found - each).abs() < 1e-9, "{found} {each} {q:?} {triangles:?}");
+            }
+        }
     }
 
     #[test]

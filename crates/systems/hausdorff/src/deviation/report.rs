@@ -109,6 +109,12 @@ impl Sides {
         self.vertex_winding.iter().filter(|winding| Self::is_inside(**winding)).count()
     }
 
+    /// Whether a mesh is closed and oriented: then all points that can be joined without crossing it are on one side.
+    #[cfg(feature = "figures")]
+    pub(crate) fn are_constant_beside(mesh: &TriMesh) -> bool {
+        inside::neighbours(mesh).is_some()
+    }
+
     /// Whether points are inside a mesh, in the unit of the mesh: by the faces nearest to them where it is closed and oriented, else by winding
     /// numbers.
     #[cfg(feature = "figures")]

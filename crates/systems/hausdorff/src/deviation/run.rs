@@ -214,7 +214,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     };
     let sides = match &signs {
         _ if control_of_maxima.is_stopped() => None,
-        Some(signs) => Some(signs.sides(from, &frame, &vertices.near, |face| bounds[face].min.0)),
+        Some(signs) => Some(signs.sides(from, &frame, &vertices, |face| bounds[face].min.0)),
         None => query.signed.then(|| Sides::of(from, to)),
     };
     let areas =

@@ -15,10 +15,10 @@ use super::polygon::Piece;
 use super::report::{Sides, unreferenced};
 use super::statistics::{SignedStatistics, Statistics};
 use crate::report::Enclosure;
+use glam::DVec3;
 use pompeiu_core::exact::Interval;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::Slot;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -125,7 +125,7 @@ impl<'s> Signs<'s> {
             let radius = start.distances[corner] - self.inside.touching;
             known.extend(inside.map(|inside| Free { at, radius, inside }));
         }
-        let [a, b, c] = start.corners.map(glam::DVec3::from_array);
+        let [a, b, c] = start.corners.map(DVec3::from_array);
         let sides = [b.distance(a) * MORE, c.distance(a) * MORE];
         let mut sum = Interval::point(0.0);
         let mut next = 0;
@@ -185,7 +185,7 @@ impl<'s> Signs<'s> {
         &self,
         from: &TriMesh,
         frame: &Frame,
-        near: &[Slot],
+        vertices: &VertexDistances,
         least: impl Fn(usize) -> f64 + Sync,
     ) -> Sides {
         let of_face = |(f, corners): (usize, &[u32; 3])| {
@@ -193,9 +193,19 @@ impl<'s> Signs<'s> {
             if least(f) > self.inside.touching && !known[0].is_nan() {
                 return known[0];
             }
-            let p = from.corners(FaceId(f as u32)).map(|p| frame.map(p));
-            let centre = [0, 1, 2].map(|k| (p[0][k] + p[1][k] + p[2][k]) * (1.0 / 3.0));
-            let number = self.inside.about(centre, near[corners[0] as usize], &mut Scratch::default());
+            let p = from.corners(FaceId(f as u32)).map(|p| DVec3::from_array(frame.map(p)));
+            let centre = (p[0] + p[1] + p[2]) * (1.0 / 3.0);
+            // Nothing of the other surface is as near to a corner as the centroid.
+            let is_free = |corner: &usize| {
+                let distance = vertices.distances[corners[*corner] as usize];
+                !known[*corner].is_nan()
+                    && p[*corner].distance(centre) * MORE < distance - self.inside.touching
+            };
+            if let Some(corner) = (0..3).find(is_free) {
+                return known[corner];
+            }
+            let near = vertices.near[corners[0] as usize];
+            let number = self.inside.about(centre.to_array(), near, &mut Scratch::default());
             number.or_else(|| known.into_iter().find(|number| !number.is_nan())).unwrap_or(0.0)
         };
         let mut vertex_winding: Vec<f64> =

@@ -6,10 +6,11 @@
 //! makes pages short.
 
 use super::group::Groups;
+use super::signs;
 use super::snap::{Snap, rounded};
 use super::triangles::{Triangles, Vertices};
 use crate::PreparedPair;
-use crate::deviation::{DirectedDeviation, Sides};
+use crate::deviation::DirectedDeviation;
 use crate::engine::joint_frame;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits};
@@ -76,7 +77,7 @@ impl Drawing {
             }
         }
         if let Some(sides) = &found.sides {
-            give_signs(&mut triangles, &is_part, (mesh, pair.other(found.direction)), sides);
+            signs::give(&mut triangles, &is_part, (found, sides), pair, &snap);
         }
         let bounds = found.faces.iter().map(|face| rounded([face.max.lower(), face.max.upper()])).collect();
         Self { triangles, groups: None, bounds }
@@ -256,32 +257,6 @@ struct Near {
     hint: Slot,
     /// The distance in the middle of the last edge with each remainder.
     edges: Vec<([u32; 2], f64)>,
-}
-
-/// Makes distances inside the other mesh negative: at the vertices of a face drawn whole, elsewhere on a part of a face as a whole.
-fn give_signs(
-    triangles: &mut Triangles,
-    is_part: &[bool],
-    (mesh, other): (&TriMesh, &TriMesh),
-    sides: &Sides,
-) {
-    let centre = |corners: [[f64; 3]; 3]| [0, 1, 2].map(|k| corners.iter().map(|p| p[k] / 3.0).sum());
-    let parts = triangles.iter().zip(is_part).filter(|(_, is_part)| **is_part);
-    let centres: Vec<[f64; 3]> = parts.map(|((corners, _), _)| centre(corners)).collect();
-    let mut of_parts = Sides::of_points(&centres, other).into_iter();
-    let faces = triangles.faces.iter().zip(is_part);
-    for (distances, (face, is_part)) in triangles.distances.iter_mut().zip(faces) {
-        let inside = if *is_part {
-            [of_parts.next().unwrap_or(false); 3]
-        } else {
-            mesh.faces()[*face as usize].map(|v| Sides::is_inside(sides.vertex_winding[v as usize]))
-        };
-        for (distance, inside) in distances.iter_mut().zip(inside) {
-            if inside {
-                *distance = -*distance;
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod draw;
 mod group;
 mod page;
 mod paper;
+mod signs;
 mod snap;
 mod spread;
 mod stages;

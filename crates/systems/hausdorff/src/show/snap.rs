@@ -19,6 +19,11 @@ impl Snap {
         position.map(|x| to_multiple(x, self.place))
     }
 
+    /// By how much more than nothing rounding may change what a distance and a position say of the space around.
+    pub(super) fn doubt(&self) -> f64 {
+        self.level + 2.0 * self.place
+    }
+
     pub(super) fn distance(&self, distance: f64) -> f64 {
         to_multiple(distance, self.level)
     }
