@@ -231,7 +231,7 @@ def simplify(
     effort: Literal["fast", "best"] = "best",
     features: Optional[float] = None,
     repair: bool = False,
-    intersections: Literal["ignore", "report", "refuse", "refuse-new"] = "report",
+    intersections: Literal["ignore", "report", "refuse", "refuse-new"] = "refuse-new",
     levels: int = 1,
     precision: Literal["double", "single"] = "double",
     center: bool = False,
@@ -270,9 +270,9 @@ def simplify(
     repair : bool
         Repair the mesh first; the distance is measured from the mesh as it was.
     intersections : str
-        The treatment of faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
-        are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
-        that intersect; otherwise they are counted.
+        The treatment of faces of the result that intersect; where they are refused, no more pairs intersect than in the
+        input. ``"ignore"``: they are not looked for; ``"report"``: they are counted; ``"refuse"``: there is no result;
+        ``"refuse-new"``: there is no result where the input has none that intersect; otherwise they are counted.
     levels : int
         Number of levels of detail: each further one has half the distance, or twice the number of faces, of the one
         before.

@@ -2,12 +2,14 @@
 
 use super::connectivity::{NONE, previous};
 use super::cover::{Cover, Covering};
+use super::crossing::{Crossings, are_apart};
 use super::marked::Marked;
 use super::places::Places;
 use super::quadric::Quadric;
 use super::queue::{Entry, Queue};
+use super::simplify_options::Refusals;
 use super::smooth::area_vector;
-use super::trial::{Accepted, Refused, Scratch, Trial, place_in_queue};
+use super::trial::{Accepted, Refused, Scratch, Star, Trial, place_in_queue};
 use super::within::Input;
 use pompeiu_core::run::{Control, Progress, ProgressObserver, StopReason};
 use pompeiu_core::spatial::bvh::Bvh;
@@ -53,6 +55,10 @@ pub(super) struct Collapses<'i> {
     places: Places,
     limit: f64,
     cover: Option<Cover>,
+    /// Where faces are, if those must not intersect that do not now.
+    crossings: Option<Crossings>,
+    /// The faces that this batch changed.
+    moved: Vec<u32>,
     least_faces: usize,
     most_passes: usize,
     pub(super) count: usize,
@@ -106,12 +112,25 @@ impl<'i> Collapses<'i> {
             places,
             limit: f64::INFINITY,
             cover,
+            crossings: None,
+            moved: Vec::new(),
             least_faces: 1,
             most_passes: MOST_PASSES,
             count,
             scratch: (0..=rayon::current_num_threads()).map(|_| Mutex::default()).collect(),
             surface,
         }
+    }
+
+    /// The same, without collapses after which faces intersect that did not.
+    pub(super) fn keeping_apart(mut self) -> Self {
+        self.crossings = Some(Crossings::new(&self.surface.mesh));
+        self
+    }
+
+    /// Whether faces that do not intersect are kept apart.
+    pub(super) fn keeps_apart(&self) -> bool {
+        self.crossings.is_some()
     }
 
     /// The surface as it is.
@@ -185,6 +204,7 @@ impl<'i> Collapses<'i> {
     fn collapse_each(&mut self, tried: &[Entry]) {
         let outcomes: Vec<Outcome> = tried.par_iter().map(|entry| self.outcome(entry)).collect();
         self.batch += 1;
+        self.moved.clear();
         let mut again = Vec::new();
         for (&entry, outcome) in tried.iter().zip(outcomes) {
             let h = entry.halfedge;
@@ -206,6 +226,19 @@ impl<'i> Collapses<'i> {
         if self.failed[h as usize].is_some_and(|(then, least)| then == around && self.limit <= least) {
             return Outcome::Same;
         }
+        match self.tried(h, entry.error) {
+            Ok(accepted) => Outcome::Accepted(accepted),
+            Err(Refused::Costs(error)) => Outcome::Costs(error),
+            // The same limit fails again.
+            Err(Refused::Below(least)) => {
+                Outcome::Failed(around, if least > self.limit { least } else { self.limit })
+            }
+            Err(_) => Outcome::Failed(around, f64::INFINITY),
+        }
+    }
+
+    /// Tries an edge that may cost as much as this.
+    fn tried(&self, h: u32, error: f64) -> Result<Accepted, Refused> {
         let trial = Trial {
             surface: &self.surface,
             quadrics: &self.quadrics,
@@ -213,18 +246,29 @@ impl<'i> Collapses<'i> {
             places: &self.places,
             limit: self.limit,
             cover: self.cover.as_ref(),
+            crossings: self.crossings.as_ref(),
         };
         let thread = rayon::current_thread_index().map_or(0, |i| i + 1) % self.scratch.len();
         let mut scratch = self.scratch[thread].lock().unwrap_or_else(PoisonError::into_inner);
-        match trial.of(h, entry.error, &mut scratch) {
-            Ok(accepted) => Outcome::Accepted(accepted),
-            Err(Refused::Costs(error)) => Outcome::Costs(error),
-            Err(Refused::Never) => Outcome::Failed(around, f64::INFINITY),
-            // The same limit fails again.
-            Err(Refused::Below(least)) => {
-                Outcome::Failed(around, if least > self.limit { least } else { self.limit })
+        trial.of(h, error, &mut scratch)
+    }
+
+    /// What keeps each edge from being collapsed.
+    pub(super) fn refusals(&self) -> Refusals {
+        let edges: Vec<u32> = self.surface.mesh.edges().collect();
+        let refused = |h: &u32| self.tried(*h, f64::INFINITY).err();
+        let all: Vec<Option<Refused>> = edges.par_iter().map(refused).collect();
+        let mut found = Refusals { edges: edges.len(), ..Refusals::default() };
+        for refused in all.into_iter().flatten() {
+            match refused {
+                Refused::Topology => found.topology += 1,
+                Refused::Features => found.features += 1,
+                Refused::Normals => found.normals += 1,
+                Refused::Intersections => found.intersections += 1,
+                Refused::Below(_) | Refused::Costs(_) => {}
             }
         }
+        found
     }
 
     /// Whether what a collapse was tested against is as it was.
@@ -232,6 +276,18 @@ impl<'i> Collapses<'i> {
         let relies_on = accepted.covering.iter().flat_map(Covering::relies_on);
         accepted.gone.iter().chain(relies_on).all(|f| self.changed[*f as usize] < self.batch)
             && self.surface.mesh.check_collapse(accepted.collapse.halfedge).is_ok()
+            && self.is_apart_from_moved(accepted)
+    }
+
+    /// Whether a collapse makes no face intersect one that this batch changed.
+    fn is_apart_from_moved(&self, accepted: &Accepted) -> bool {
+        if self.crossings.is_none() || self.moved.is_empty() {
+            return true;
+        }
+        let star = Star::new(&self.surface, accepted.collapse.halfedge);
+        let mut faces = Vec::with_capacity(star.kept.len());
+        star.moved(&self.surface, accepted.collapse.position, &mut faces);
+        are_apart(&self.surface, &star, &faces, self.moved.iter().copied())
     }
 
     /// Collapses an edge, and adds those around to a list.
@@ -244,6 +300,12 @@ impl<'i> Collapses<'i> {
         }
         for &f in &accepted.gone {
             self.changed[f as usize] = self.batch;
+        }
+        if let Some(crossings) = &mut self.crossings {
+            let mesh = &self.surface.mesh;
+            let kept = accepted.gone.iter().copied().filter(|&f| mesh.exists(3 * f));
+            self.moved.extend(kept.clone());
+            crossings.changed(&self.surface, kept);
         }
         self.count += 1;
         self.surface.near[v as usize] = accepted.near;

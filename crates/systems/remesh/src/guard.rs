@@ -5,7 +5,7 @@ use pompeiu_core::run::StopReason;
 use pompeiu_core::spatial::self_intersections;
 
 /// Pairs that are counted at most.
-const MOST_PAIRS: usize = 1_000_000;
+pub(super) const MOST_PAIRS: usize = 1_000_000;
 
 /// The treatment of faces of a result that intersect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +22,13 @@ pub enum Intersections {
     Refuse,
     /// There is no result where the input has none that intersect; otherwise they are counted.
     RefuseNew,
+}
+
+impl Intersections {
+    /// Whether a computation looks for a result without faces that intersect and did not before.
+    pub(super) fn avoids(self) -> bool {
+        matches!(self, Self::Refuse | Self::RefuseNew)
+    }
 }
 
 /// The number of pairs of faces that intersect, as [`self_intersections`] finds them.

@@ -14,14 +14,17 @@ mod collapses;
 mod confined;
 mod connectivity;
 mod cover;
+mod crossing;
 mod curvature;
 mod edit;
+mod face_tree;
 mod features;
 mod flips;
 mod guard;
 mod held;
 mod improve;
 mod isotropic;
+mod least_faces;
 mod lengths;
 mod marked;
 mod near;
@@ -59,6 +62,6 @@ pub use request::{
 pub use run::remesh;
 pub use simplify::{simplify, simplify_levels};
 pub use simplify_options::{
-    Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming,
+    Effort, Refusals, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming,
 };
 pub use sizing::{LengthField, Sizing};

@@ -7,7 +7,6 @@ use super::simplify_options::{Simplified, SimplifyError, SimplifyTarget, Simplif
 use super::simplify_run::Run;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Instant;
-use pompeiu_core::run::StopReason;
 use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
 
 /// By how much the distance grows from one pass over the edges to the next.
@@ -32,34 +31,47 @@ const SEED_TOLERANCE: Tolerance = Tolerance::RelativeToDistance(0.05);
 /// A surface to start from, with its distance once that is measured.
 type Seed = (Snapshot, Option<f64>);
 
+/// Surfaces to start from, and a result for each target.
+type ByError = (Vec<Seed>, Vec<Simplified>);
+
+/// A result for each target, none where it was not reached, and in how many passes the first was.
+type Grown = (Vec<Option<Simplified>>, usize);
+
 /// For each number of faces, the finest first, the better of two results: by quadric errors alone, and by a schedule of distances.
 pub(super) fn levels(
     run: &Run<'_>,
-    surface: Marked,
+    surface: impl Fn() -> Result<Marked, SimplifyError>,
     targets: &[SimplifyTarget],
     started: Instant,
 ) -> Result<Vec<Simplified>, SimplifyError> {
-    let input = surface.clone();
-    let (seeds, by_error) = by_error(run, surface, targets, started)?;
+    let input = surface()?;
+    let start = || Ok(Collapses::by_error(input.clone(), run.bvh, run.places));
+    let found = by_error(run, start()?, targets, started)?;
+    let keeps_apart = found.is_none();
+    let (seeds, by_error) = if let Some(found) = found {
+        found
+    } else {
+        by_error(run, run.kept_apart(start, targets)?, targets, started)?.unwrap_or_default()
+    };
     let exact = EXACT * Aabb::of_faces(run.mesh).diagonal();
     let is_exact = by_error.iter().all(|found| upper(found) <= exact);
     let mut by_distance = Vec::new();
     if !is_exact && !run.control.is_stopped() {
-        by_distance = Schedule { run, input, seeds, targets, by_error: &by_error }.run()?;
+        by_distance = Schedule { run, input, seeds, targets, by_error: &by_error, keeps_apart }.run()?;
     }
     by_distance.resize_with(by_error.len(), || None);
     by_error.into_iter().zip(by_distance).map(|(one, other)| better(run, one, other)).collect()
 }
 
-/// Simplifies by quadric errors alone; keeps surfaces to start from, the coarsest first.
+/// Simplifies by quadric errors alone; keeps surfaces to start from, the coarsest first. None where faces of a result intersect that can be
+/// kept apart.
 fn by_error(
     run: &Run<'_>,
-    surface: Marked,
+    mut work: Collapses<'_>,
     targets: &[SimplifyTarget],
     mut started: Instant,
-) -> Result<(Vec<Seed>, Vec<Simplified>), SimplifyError> {
-    let all = surface.mesh.face_count();
-    let mut work = Collapses::by_error(surface, run.bvh, run.places);
+) -> Result<Option<ByError>, SimplifyError> {
+    let all = work.surface.mesh.face_count();
     let finest = targets.first().map_or(1, faces_of);
     let mut seeds = Vec::new();
     for faces in SEEDS.map(|times| finest.saturating_mul(times)).into_iter().filter(|n| *n < all) {
@@ -71,10 +83,13 @@ fn by_error(
     for &target in targets {
         work.leave_faces(faces_of(&target));
         work.run(&run.control, run.options.progress);
-        found.push(run.measured(&work.surface, work.count, target, started)?);
+        if run.must_keep_apart(&work)? {
+            return Ok(None);
+        }
+        found.push(run.measured(&work, target, started)?);
         started = Instant::now();
     }
-    Ok((seeds, found))
+    Ok(Some((seeds, found)))
 }
 
 fn faces_of(target: &SimplifyTarget) -> usize {
@@ -93,11 +108,11 @@ fn better(run: &Run<'_>, one: Simplified, other: Option<Simplified>) -> Result<S
     let Some(other) = other else { return run.guarded(one) };
     let distance = one.timing.distance + other.timing.distance;
     let collapse = one.timing.collapse + other.timing.collapse;
-    let stop = run.control.reason().unwrap_or(StopReason::Tolerance);
     let falls_short = one.mesh.faces().len() > faces_of(&one.target);
     let (first, second) =
         if falls_short || upper(&other) < upper(&one) { (other, one) } else { (one, other) };
     let found = run.guarded(first).or_else(|refused| run.guarded(second).map_err(|_| refused))?;
+    let stop = run.control.reason().unwrap_or(found.stop);
     Ok(Simplified { stop, timing: SimplifyTiming { collapse, distance }, ..found })
 }
 
@@ -109,6 +124,8 @@ struct Schedule<'s> {
     seeds: Vec<Seed>,
     targets: &'s [SimplifyTarget],
     by_error: &'s [Simplified],
+    /// Whether faces that do not intersect are kept apart all the time.
+    keeps_apart: bool,
 }
 
 impl<'s> Schedule<'s> {
@@ -117,14 +134,38 @@ impl<'s> Schedule<'s> {
         let to_beat = self.by_error.first().map_or(0.0, upper);
         let mut found = Vec::new();
         for (most, least) in ATTEMPTS {
-            let (mut work, distance) = self.start(most * to_beat, least * to_beat)?;
-            let (results, passes) = self.grow(&mut work, distance)?;
+            let mut of_attempt = self.attempt(most * to_beat, least * to_beat)?;
+            if of_attempt.is_none() {
+                self.keep_apart()?;
+                of_attempt = self.attempt(most * to_beat, least * to_beat)?;
+            }
+            let Some((results, passes)) = of_attempt else { break };
             found = results;
             if passes > 1 || self.run.control.is_stopped() {
                 break;
             }
         }
         Ok(found)
+    }
+
+    /// From now on faces that do not intersect are kept apart, and only surfaces without such faces are started from.
+    fn keep_apart(&mut self) -> Result<(), SimplifyError> {
+        self.keeps_apart = true;
+        let mut apart = Vec::with_capacity(self.seeds.len());
+        for seed in std::mem::take(&mut self.seeds) {
+            if !self.run.intersects(&seed.0.surface)? {
+                apart.push(seed);
+            }
+        }
+        self.seeds = apart;
+        Ok(())
+    }
+
+    /// Results with a first distance between two lengths; none where faces of one intersect that can be kept apart.
+    fn attempt(&mut self, most: f64, least: f64) -> Result<Option<Grown>, SimplifyError> {
+        let (work, distance) = self.start(most, least)?;
+        let mut work = if self.keeps_apart { work.keeping_apart() } else { work };
+        self.grow(&mut work, distance)
     }
 
     /// The coarsest surface that is near enough to the input, and the first distance.
@@ -155,12 +196,8 @@ impl<'s> Schedule<'s> {
     }
 
     /// Collapses edges within a distance that grows until each number of faces is reached; the results, and in how many passes the first
-    /// was reached.
-    fn grow(
-        &self,
-        work: &mut Collapses<'_>,
-        mut distance: f64,
-    ) -> Result<(Vec<Option<Simplified>>, usize), SimplifyError> {
+    /// was reached. None where faces of one intersect that can be kept apart.
+    fn grow(&self, work: &mut Collapses<'_>, mut distance: f64) -> Result<Option<Grown>, SimplifyError> {
         let mut started = Instant::now();
         let (mut found, mut passes, mut in_first) = (Vec::new(), 0, usize::MAX);
         for (&target, by_error) in self.targets.iter().zip(self.by_error) {
@@ -177,13 +214,16 @@ impl<'s> Schedule<'s> {
             }
             let reached = work.surface.mesh.face_count() <= faces;
             if reached {
+                if self.run.must_keep_apart(work)? {
+                    return Ok(None);
+                }
                 in_first = in_first.min(passes);
-                found.push(Some(self.run.measured(&work.surface, work.count, target, started)?));
+                found.push(Some(self.run.measured(work, target, started)?));
             } else {
                 found.push(None);
             }
             started = Instant::now();
         }
-        Ok((found, in_first))
+        Ok(Some((found, in_first)))
     }
 }

@@ -27,7 +27,10 @@ use pompeiu_core::spatial::bvh::Bvh;
 /// [`symmetric_hausdorff`](pompeiu_hausdorff::symmetric_hausdorff), and its upper end is at most the distance asked for, rounding included.
 /// With [`SimplifyTarget::Faces`] the distance is not asked for, and measured in the same way. [`Effort::Best`] makes it small: it is
 /// the better of two results, one by quadric errors alone, one within distances that grow by a tenth until the number is reached.
+/// Where [`intersections`](SimplifyOptions::intersections) are refused, no more pairs of faces intersect than in the input: where a result
+/// has more it is made again, and no collapse makes faces intersect that did not.
 /// # Limits
+/// A number of faces may not be reached: the topology stays, and faces are not turned over. [`Simplified::refusals`] says why.
 /// The number of faces is not the least possible one: collapses are chosen greedily. The distance between boundary *curves* is
 /// not bounded: a thin spike in the plane of a sheet can be cut off where the rest of the sheet is near it. With
 /// [`features`](SimplifyOptions::features) curves stay curves and their corners stay where they are, yet how far a curve moves between its
@@ -95,15 +98,15 @@ fn simplify_here(
     let repaired = if options.repair { Some(repair(mesh, &repairs)?.mesh) } else { None };
     let manifold = repaired.as_ref().unwrap_or(mesh);
     let bvh = Bvh::build(manifold, &frame);
-    let surface = surface_of(manifold, &places, &bvh, options)?;
+    let surface = || surface_of(manifold, &places, &bvh, options);
     let run = Run { mesh, options, places, rounding, bvh: &bvh, control: context.control(), context };
     match (options.target, options.effort) {
         (SimplifyTarget::Faces(_), Effort::Best) => schedule::levels(&run, surface, &targets, started),
         (SimplifyTarget::Faces(_), Effort::Fast) => {
-            run.levels(Collapses::by_error(surface, &bvh, places), &targets, started)
+            run.levels(|| Ok(Collapses::by_error(surface()?, &bvh, places)), &targets, started)
         }
         (SimplifyTarget::Within(_), _) => {
-            run.levels(Collapses::within(surface, &bvh, places), &targets, started)
+            run.levels(|| Ok(Collapses::within(surface()?, &bvh, places)), &targets, started)
         }
     }
 }

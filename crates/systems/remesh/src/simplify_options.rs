@@ -113,10 +113,32 @@ pub struct Simplified {
     pub intersections: Option<IntersectionCount>,
     /// Number of edges collapsed.
     pub collapses: usize,
-    /// Why it ended: [`StopReason::Tolerance`] if no further edge can be collapsed or the number of faces is reached.
+    /// Why the number of faces asked for was not reached; none where it was, or where a limit ended the computation.
+    pub refusals: Option<Refusals>,
+    /// Why it ended: [`StopReason::Tolerance`] if the number of faces is reached, or no further edge can be collapsed within the distance;
+    /// [`StopReason::Stalled`] if no further edge can be collapsed, though there are more faces than asked for.
     pub stop: StopReason,
     /// The time that it took.
     pub timing: SimplifyTiming,
+}
+
+/// The reasons for which the edges of a result cannot be collapsed, where it has more faces than asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Refusals {
+    /// Number of edges of the result.
+    pub edges: usize,
+    /// Number of edges whose collapse would change the topology.
+    pub topology: usize,
+    /// Number of edges whose collapse would change a curve that is kept.
+    pub features: usize,
+    /// Number of edges whose collapse would turn a face over.
+    pub normals: usize,
+    /// Number of edges whose collapse would make faces intersect.
+    pub intersections: usize,
+    /// A number of faces below which no surface of this topology is.
+    pub least_faces: usize,
 }
 
 /// Wall-clock times of a simplification; milliseconds in JSON.

@@ -1,18 +1,27 @@
 //! What all of a simplification share, and the measurement of its results.
 
 use super::collapses::Collapses;
+use super::guard::{Intersections, MOST_PAIRS};
+use super::least_faces::least_faces;
 use super::lengths::NotWithin;
 use super::marked::Marked;
 use super::places::Places;
-use super::simplify_options::{Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming};
+use super::simplify_options::{
+    Refusals, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget, SimplifyTiming,
+};
 use pompeiu_core::mesh::Rounding;
 use pompeiu_core::run::{Control, Instant, Limits, RunContext, StopReason};
 use pompeiu_core::spatial::bvh::Bvh;
+use pompeiu_core::spatial::self_intersections;
 use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::{HausdorffOptions, symmetric_hausdorff};
 
 /// Share of the distance that the local tests may use; the rest covers their rounding.
 const LOCAL_SHARE: f64 = 0.9999;
+
+/// Faces are kept apart from a surface of so many times the faces asked for, the last of these without faces that intersect: tests of finer
+/// ones take most of the time, and find nothing.
+const KEPT_APART_FROM: [usize; 2] = [64, 16];
 
 /// What all of a simplification share.
 pub(super) struct Run<'r> {
@@ -26,14 +35,53 @@ pub(super) struct Run<'r> {
     pub(super) context: RunContext<'r>,
 }
 
-impl Run<'_> {
-    /// Goes from level to level, the finest first.
+impl<'r> Run<'r> {
+    /// Goes from level to level, the finest first. Where faces of a result intersect that must not, it starts again and keeps them apart all
+    /// the time: most results have none without that, in less time.
     pub(super) fn levels(
+        &self,
+        start: impl Fn() -> Result<Collapses<'r>, SimplifyError>,
+        targets: &[SimplifyTarget],
+        started: Instant,
+    ) -> Result<Vec<Simplified>, SimplifyError> {
+        if let Some(found) = self.levels_from(start()?, targets, started)? {
+            return Ok(found);
+        }
+        let found = self.levels_from(self.kept_apart(start, targets)?, targets, started)?;
+        Ok(found.unwrap_or_default())
+    }
+
+    /// Collapses that keep faces apart, from where none intersect yet.
+    pub(super) fn kept_apart(
+        &self,
+        start: impl Fn() -> Result<Collapses<'r>, SimplifyError>,
+        targets: &[SimplifyTarget],
+    ) -> Result<Collapses<'r>, SimplifyError> {
+        let mut work = start()?;
+        let Some(&SimplifyTarget::Faces(finest)) = targets.first() else { return Ok(work.keeping_apart()) };
+        let mut apart = None;
+        for faces in KEPT_APART_FROM.map(|times| finest.saturating_mul(times)) {
+            work.leave_faces(faces);
+            work.run(&self.control, self.options.progress);
+            if self.intersects(&work.surface)? {
+                break;
+            }
+            apart = Some(work.snapshot());
+        }
+        let work = match apart {
+            Some(snapshot) => Collapses::on(snapshot, None, self.bvh, self.places),
+            None => start()?,
+        };
+        Ok(work.keeping_apart())
+    }
+
+    /// Goes from level to level; none where faces of a result intersect that can be kept apart.
+    fn levels_from(
         &self,
         mut work: Collapses<'_>,
         targets: &[SimplifyTarget],
         mut started: Instant,
-    ) -> Result<Vec<Simplified>, SimplifyError> {
+    ) -> Result<Option<Vec<Simplified>>, SimplifyError> {
         let mut found = Vec::with_capacity(targets.len());
         for &target in targets {
             match target {
@@ -44,11 +92,34 @@ impl Run<'_> {
                 SimplifyTarget::Faces(n) => work.leave_faces(n),
             }
             work.run(&self.control, self.options.progress);
-            let result = self.measured(&work.surface, work.count, target, started)?;
+            if self.must_keep_apart(&work)? {
+                return Ok(None);
+            }
+            let result = self.measured(&work, target, started)?;
             found.push(self.guarded(result)?);
             started = Instant::now();
         }
-        Ok(found)
+        Ok(Some(found))
+    }
+
+    /// Whether more pairs of faces of a surface intersect than of the input, and that must not be.
+    pub(super) fn must_keep_apart(&self, work: &Collapses<'_>) -> Result<bool, SimplifyError> {
+        let asked = self.options.intersections;
+        if !asked.avoids() || work.keeps_apart() || self.control.is_stopped() {
+            return Ok(false);
+        }
+        let found = self_intersections(&self.mesh_of(&work.surface)?, MOST_PAIRS).pairs.len();
+        // Where all pairs are refused, those of the input would remain.
+        let most = if asked == Intersections::Refuse { 1 } else { found };
+        Ok(found > 0 && {
+            let of_input = self_intersections(self.mesh, most).pairs.len();
+            of_input < most
+        })
+    }
+
+    /// Whether faces of a surface intersect.
+    pub(super) fn intersects(&self, surface: &Marked) -> Result<bool, SimplifyError> {
+        Ok(!self_intersections(&self.mesh_of(surface)?, 1).pairs.is_empty())
     }
 
     /// The surface as a mesh where the file can hold it.
@@ -61,12 +132,17 @@ impl Run<'_> {
     /// Measures a surface.
     pub(super) fn measured(
         &self,
-        surface: &Marked,
-        collapses: usize,
+        work: &Collapses<'_>,
         target: SimplifyTarget,
         started: Instant,
     ) -> Result<Simplified, SimplifyError> {
+        let surface = &work.surface;
         let mesh = self.mesh_of(surface)?;
+        let stop = self.control.reason();
+        let falls_short = matches!(target, SimplifyTarget::Faces(n) if mesh.faces().len() > n);
+        let refusals = (falls_short && stop.is_none())
+            .then(|| Refusals { least_faces: least_faces(&surface.mesh), ..work.refusals() });
+        let stop = stop.unwrap_or(if falls_short { StopReason::Stalled } else { StopReason::Tolerance });
         let collapse = started.elapsed();
         let measuring = self.measuring(target);
         // Only the limits are not those of the defaults, and limits are always valid.
@@ -82,8 +158,9 @@ impl Run<'_> {
             rounding: self.rounding,
             distance,
             intersections: None,
-            collapses,
-            stop: self.control.reason().unwrap_or(StopReason::Tolerance),
+            collapses: work.count,
+            refusals,
+            stop,
             timing: SimplifyTiming { collapse, distance: started.elapsed().saturating_sub(collapse) },
         })
     }
@@ -99,7 +176,11 @@ impl Run<'_> {
 
     /// Counts the faces of a result that intersect, where that is asked for.
     pub(super) fn guarded(&self, mut result: Simplified) -> Result<Simplified, SimplifyError> {
-        let intersections = self.options.intersections.after(self.control.reason());
+        // A result that is not finished is not refused for what the end would have mended.
+        let intersections = match self.options.intersections {
+            Intersections::RefuseNew if self.control.is_stopped() => Intersections::Report,
+            asked => asked,
+        };
         result.intersections = intersections.of(&result.mesh, self.mesh)?;
         Ok(result)
     }

@@ -2,6 +2,7 @@
 
 use super::candidates::Triangle;
 use super::cover::{Affected, Cover, Covering};
+use super::crossing::{CrossingScratch, Crossings};
 use super::marked::{Collapse, Freedom, Marked};
 use super::places::Places;
 use super::quadric::Quadric;
@@ -40,13 +41,20 @@ const OFFSETS: [f64; 4] = [0.25, -0.25, 0.5, -0.5];
 pub(super) struct Scratch {
     workspace: Workspace,
     affected: Affected,
+    crossing: CrossingScratch,
 }
 
 /// Why an edge is not collapsed.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Refused {
-    /// No position keeps the normals of all faces, or connectivity forbids it.
-    Never,
+    /// The surface would be no manifold, or of another topology.
+    Topology,
+    /// A curve that is kept would end, or two become one.
+    Features,
+    /// No position keeps the normals of all faces.
+    Normals,
+    /// No position that keeps the normals keeps faces from intersecting.
+    Intersections,
     /// A distance below this one does not suffice, as far as is known.
     Below(f64),
     /// The best position costs this much, more than the edge was queued for.
@@ -127,6 +135,8 @@ pub(super) struct Trial<'t> {
     pub(super) limit: f64,
     /// Which faces of the input each face covers; none where no distance was asked for.
     pub(super) cover: Option<&'t Cover>,
+    /// Where faces are, if those must not intersect that do not now.
+    pub(super) crossings: Option<&'t Crossings>,
 }
 
 impl Trial<'_> {
@@ -138,7 +148,11 @@ impl Trial<'_> {
             Some(t) if mesh.is_boundary(mesh.from(h)) && !mesh.is_boundary(mesh.to(h)) => t,
             _ => h,
         };
-        let way = self.surface.collapse_of(h).ok_or(Refused::Never)?;
+        let way = self.surface.collapse_of(h).ok_or_else(|| match mesh.check_collapse(h) {
+            Err(_) => Refused::Topology,
+            Ok(()) => Refused::Features,
+        })?;
+        let mut else_refused = Refused::Normals;
         let mut least = f64::INFINITY;
         let mut fails = |needed_sq: f64| least = if needed_sq < least { needed_sq } else { least };
         let star = Star::new(self.surface, way.halfedge);
@@ -154,6 +168,10 @@ impl Trial<'_> {
                 let error = self.error_at(way.halfedge, position);
                 if error > MOST_ABOVE * queued {
                     return Err(Refused::Costs(error));
+                }
+                if !self.keeps_apart(&star, &faces, scratch) {
+                    else_refused = Refused::Intersections;
+                    continue;
                 }
                 let collapse = Collapse { position, ..way };
                 return Ok(Accepted { collapse, gone: star.gone, covering: None, near });
@@ -188,7 +206,11 @@ impl Trial<'_> {
             let workspace = &mut scratch.workspace;
             let mut start = near;
             let is_near = |t: &Triangle| self.input.is_near(*t, most_pieces, &mut start, workspace);
-            if faces.iter().all(is_near) {
+            if !faces.iter().all(is_near) {
+                fails(0.0);
+            } else if !self.keeps_apart(&star, &faces, scratch) {
+                else_refused = Refused::Intersections;
+            } else {
                 let collapse = Collapse { position, ..way };
                 return Ok(Accepted {
                     collapse,
@@ -197,9 +219,13 @@ impl Trial<'_> {
                     near: at_position,
                 });
             }
-            fails(0.0);
         }
-        Err(if least < f64::INFINITY { Refused::Below(least.sqrt()) } else { Refused::Never })
+        Err(if least < f64::INFINITY { Refused::Below(least.sqrt()) } else { else_refused })
+    }
+
+    /// Whether no faces intersect after a collapse that do not now, if that is asked for.
+    fn keeps_apart(&self, star: &Star, faces: &[Triangle], scratch: &mut Scratch) -> bool {
+        self.crossings.is_none_or(|known| known.allow(self.surface, star, faces, &mut scratch.crossing))
     }
 
     /// What a position costs in the queue.

@@ -106,6 +106,15 @@ pub fn self_intersections_in(
     found
 }
 
+/// Whether two faces have a common point other than what neighbours share, as [`self_intersections`] decides it.
+///
+/// # Accuracy
+/// Exact; see [`common_point`] for coordinates that differ in size.
+pub fn faces_intersect(one: &[[f64; 3]; 3], other: &[[f64; 3]; 3]) -> bool {
+    let apart = Plane::of(one).is_beside(other) || Plane::of(other).is_beside(one);
+    !apart && common_point(one, other).is_some()
+}
+
 /// The pairs of the faces of some slots with those of later slots.
 fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize) -> SelfIntersections {
     let mut found = SelfIntersections { complete: true, ..SelfIntersections::default() };

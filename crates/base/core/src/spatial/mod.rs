@@ -7,7 +7,9 @@ mod neighbours;
 mod winding;
 
 pub use bvh::{Bvh, Cover, Leaf, Nearest, Slot, Workspace};
-pub use intersections::{IntersectingPair, SelfIntersections, self_intersections, self_intersections_in};
+pub use intersections::{
+    IntersectingPair, SelfIntersections, faces_intersect, self_intersections, self_intersections_in,
+};
 pub use morton::morton_order;
 pub use neighbours::{Neighbour, Neighbours};
 pub use winding::{Winding, WindingNumber, winding_number};

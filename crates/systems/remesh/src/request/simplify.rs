@@ -1,7 +1,7 @@
 //! Fewer faces for a surface.
 
 use crate::{
-    Effort, Features, IntersectionCount, Intersections, Simplified, SimplifyError, SimplifyOptions,
+    Effort, Features, IntersectionCount, Intersections, Refusals, Simplified, SimplifyError, SimplifyOptions,
     SimplifyTarget, SimplifyTiming, simplify_levels,
 };
 use pompeiu_core::geom::Aabb;
@@ -43,7 +43,7 @@ pub struct SimplifyRequest {
     /// Repair the mesh first; the distance is measured from the mesh as it was.
     #[cfg_attr(feature = "clap", arg(long))]
     pub repair: bool,
-    /// The treatment of faces of the result that intersect.
+    /// The treatment of faces of the result that intersect; where they are refused, no more pairs intersect than in the input.
     #[cfg_attr(feature = "clap", arg(long, value_enum, value_name = "WHAT"))]
     pub intersections: Intersections,
     /// Number of levels of detail: each further one has half the distance, or twice the number of faces, of the one before.
@@ -65,7 +65,7 @@ impl Default for SimplifyRequest {
             effort: Effort::default(),
             features: None,
             repair: false,
-            intersections: Intersections::Report,
+            intersections: Intersections::RefuseNew,
             levels: 1,
             coordinates: Coordinates::default(),
         }
@@ -104,6 +104,8 @@ pub struct LevelReport {
     pub intersections: Option<IntersectionCount>,
     /// Number of edges that were collapsed.
     pub collapses: usize,
+    /// Why the number of faces asked for was not reached; null where it was, or where a limit ended the computation.
+    pub refusals: Option<Refusals>,
 }
 
 impl From<&Simplified> for LevelReport {
@@ -119,6 +121,7 @@ impl From<&Simplified> for LevelReport {
             distance: found.distance.clone(),
             intersections: found.intersections,
             collapses: found.collapses,
+            refusals: found.refusals,
         }
     }
 }

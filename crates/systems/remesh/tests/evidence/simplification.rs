@@ -6,7 +6,8 @@ use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{
     Affine, Coordinates, Precision, VertexId, displace_at_random, merge, subdivide, transform,
 };
-use pompeiu_core::run::Limits;
+use pompeiu_core::run::{Limits, StopReason};
+use pompeiu_core::spatial::self_intersections;
 use pompeiu_hausdorff::symmetric_hausdorff;
 use pompeiu_remesh::{
     Effort, FeatureError, Features, Intersections, LengthError, Simplified, SimplifyError, SimplifyOptions,
@@ -208,6 +209,87 @@ fn faces_that_intersect_are_counted_or_refused() {
     };
     // Both spheres have centres 1.2 apart: their common circle lies in the plane x = 0.6.
     assert!(error.pairs == count.pairs && (error.place[0] - 0.6).abs() < 0.2, "{error}");
+}
+
+/// The same faces, seen from their other side.
+fn reversed(mesh: &TriMesh) -> TriMesh {
+    let faces = mesh.faces().iter().map(|&[a, b, c]| [a, c, b]).collect();
+    TriMesh::new(mesh.positions().to_vec(), faces).unwrap()
+}
+
+/// A thin shell between two spheres, a ring of thin wall, a thin plate with many holes: coarse faces of both sides come near each other.
+fn thin_walls() -> Vec<TriMesh> {
+    let shell = |inner: f64| {
+        let hole = reversed(&shapes::icosphere(inner, 4).unwrap());
+        merge(&[&shapes::icosphere(1.0, 4).unwrap(), &hole]).unwrap()
+    };
+    let ring = |inner: f64| {
+        let hole = reversed(&shapes::torus(2.0, inner, 60, 40).unwrap());
+        merge(&[&shapes::torus(2.0, 0.7, 60, 40).unwrap(), &hole]).unwrap()
+    };
+    let plate = subdivide(&subdivide(&shapes::perforated_plate(1.0, 5).unwrap()).unwrap()).unwrap();
+    vec![shell(0.97), shell(0.995), ring(0.66), displace_at_random(&plate, 0.004, 5).unwrap()]
+}
+
+#[test]
+fn faces_that_do_not_intersect_are_kept_apart() {
+    let mut crossed = 0;
+    for (i, mesh) in thin_walls().iter().enumerate() {
+        assert!(self_intersections(mesh, 1).pairs.is_empty(), "mesh {i}");
+        let few = SimplifyTarget::Faces(mesh.faces().len() / 50);
+        let wide = SimplifyTarget::Within(0.1);
+        for (target, effort) in [(few, Effort::Fast), (few, Effort::Best), (wide, Effort::Best)] {
+            let with = |intersections| {
+                let options = SimplifyOptions { intersections, effort, ..SimplifyOptions::new(target) };
+                pompeiu_remesh::simplify(mesh, &options).unwrap()
+            };
+            let counted = with(Intersections::Report);
+            crossed += usize::from(counted.intersections.unwrap().pairs > 0);
+            let apart = with(Intersections::RefuseNew);
+            assert!(self_intersections(&apart.mesh, 1).pairs.is_empty(), "mesh {i}, {target:?}, {effort:?}");
+            assert_eq!(topology(&apart.mesh), topology(mesh));
+            if counted.intersections.unwrap().pairs == 0 {
+                assert_eq!(apart.mesh, counted.mesh);
+            }
+        }
+    }
+    assert!(crossed >= 8, "{crossed} results have faces that intersect without that");
+}
+
+#[test]
+fn pairs_that_intersect_do_not_become_more() {
+    let shell = thin_walls().swap_remove(0);
+    let small = transform(&shapes::icosphere(0.1, 2).unwrap(), &Affine::translate([1.0, 0.1, 0.0])).unwrap();
+    let both = merge(&[&shell, &small]).unwrap();
+    let before = self_intersections(&both, usize::MAX).pairs.len();
+    let options = SimplifyOptions {
+        intersections: Intersections::RefuseNew,
+        effort: Effort::Fast,
+        ..SimplifyOptions::new(SimplifyTarget::Faces(250))
+    };
+    let found = pompeiu_remesh::simplify(&both, &options).unwrap().intersections.unwrap();
+    assert!(found.pairs > 0 && found.pairs <= before, "{found:?} of {before}");
+}
+
+#[test]
+fn a_number_of_faces_that_is_not_reached_is_said() {
+    let plate = subdivide(&shapes::perforated_plate(1.0, 5).unwrap()).unwrap();
+    for effort in [Effort::Fast, Effort::Best] {
+        let with = |faces| {
+            let options = SimplifyOptions { effort, ..SimplifyOptions::new(SimplifyTarget::Faces(faces)) };
+            pompeiu_remesh::simplify(&plate, &options).unwrap()
+        };
+        let reached = with(plate.faces().len() / 2);
+        assert_eq!((reached.stop, reached.refusals), (StopReason::Tolerance, None));
+        let short = with(10);
+        let why = short.refusals.unwrap();
+        assert_eq!(short.stop, StopReason::Stalled);
+        let faces = short.mesh.faces().len();
+        assert!(why.least_faces > 10 && why.least_faces <= faces, "{why:?}, {faces} faces");
+        assert_eq!(why.edges, 3 * faces / 2);
+        assert_eq!(why.topology + why.features + why.normals + why.intersections, why.edges, "{why:?}");
+        assert!(why.topology > 0 && why.intersections == 0, "{why:?}");
+    }
 }
 
 #[test]

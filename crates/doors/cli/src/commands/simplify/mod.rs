@@ -18,10 +18,11 @@ pub(crate) type Simplify = Invocation<Files>;
 #[command(after_help = "\
 One of --within, --relative and --faces is given. Edges are collapsed in order of their quadric error. With --within or --relative
 each collapse is tested on both sides, and the Pompeiu–Hausdorff distance of the result is proven to be at most that length; otherwise
-nothing is written. With --faces the distance follows, and is proven too. The mesh must be an oriented manifold, with or without
-boundary, or be repaired (--repair). Colours of vertices (PLY, OBJ, glTF), texture coordinates and materials (OBJ, glTF) are carried over,
-and seams are kept as curves, if the output has a place for them; normals are those of the new faces. What is not kept is said. Further
-levels of detail (--levels) are written beside OUT, with -1, -2, … before its suffix.
+nothing is written. With --faces the distance follows, and is proven too; a number that cannot be reached is said with the reason
+(exit code 3). Where --intersections refuses them, no more faces intersect than in the input. The mesh must be an oriented manifold, with
+or without boundary, or be repaired (--repair). Colours of vertices (PLY, OBJ, glTF), texture coordinates and materials (OBJ, glTF) are
+carried over, and seams are kept as curves, if the output has a place for them; normals are those of the new faces. What is not kept is
+said. Further levels of detail (--levels) are written beside OUT, with -1, -2, … before its suffix.
 
 Examples:
   pompeiu simplify scan.ply --within 0.05 -o light.ply

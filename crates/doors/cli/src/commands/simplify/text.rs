@@ -5,7 +5,7 @@ use crate::door::AnswerOf;
 use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
 use crate::page::{brief, proven};
 use crate::printer::LABEL;
-use pompeiu::remesh::Kept;
+use pompeiu::remesh::{Kept, Refusals};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -42,7 +42,9 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
         let label = if i == 0 { "finer" } else { "" };
         row(label, format!("{} faces, H(A, B) {distance}: {}", faces(level.faces), path.display()));
     }
-    if found.stop.is_early() {
+    if let (Some(refusals), Some(asked)) = (&level.refusals, answer.request.faces) {
+        row("refused", format!("{} faces are not reached: {}", faces(asked), why(refusals)));
+    } else if found.stop.is_early() {
         row("stopped", format!("early ({}): fewer faces may do", found.stop.name()));
     }
     let [collapse, distance, total] =
@@ -52,6 +54,24 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
         text += &crate::certificate::text(path, answer);
     }
     text
+}
+
+/// Why no further edge is collapsed.
+fn why(found: &Refusals) -> String {
+    let least = grouped(found.least_faces as u64);
+    let of_each = [
+        (found.topology, "would change the topology"),
+        (found.features, "would change a curve that is kept"),
+        (found.normals, "would turn a face over"),
+        (found.intersections, "would make faces intersect"),
+    ];
+    let reasons: Vec<String> = of_each
+        .into_iter()
+        .filter(|(edges, _)| *edges > 0)
+        .map(|(edges, what)| format!("{} {what}", grouped(edges as u64)))
+        .collect();
+    let edges = grouped(found.edges as u64);
+    format!("of {edges} edges {}; this topology needs at least {least} faces", reasons.join(", "))
 }
 
 /// What is kept of the look of the input; none if there was nothing.
