@@ -29,6 +29,7 @@ mod limits;
 mod progress;
 mod stop;
 mod threads;
+mod uninterruptible;
 
 pub use cancel::CancelToken;
 pub use clock::Instant;
@@ -40,3 +41,4 @@ pub use limits::{LimitError, Limits};
 pub use progress::{Progress, ProgressObserver};
 pub use stop::StopReason;
 pub use threads::on_threads;
+pub use uninterruptible::unless_stopped;

@@ -162,12 +162,13 @@ fn run(
             values,
         }
     };
-    let mut stepper = Stepper::new(system)?;
+    let mut stepper = Stepper::new(system, control)?;
     for step in state.step + 1..=parameters.steps {
         if control.is_stopped() {
             break;
         }
-        let stepped = stepper.step(&state.values)?;
+        let Some(stepper) = &mut stepper else { break };
+        let Some(stepped) = stepper.step(&state.values, control)? else { break };
         state.book.add_step(system, &stepped);
         state.values = stepped.values;
         state.step = step;

@@ -3,6 +3,7 @@
 use super::error::TransportError;
 use super::problem::TimeScheme;
 use super::system::System;
+use pompeiu_core::run::{Control, unless_stopped};
 use pompeiu_solve::{LinearSolver, Lu};
 
 /// γ of the two stages: 1 − 1/√2.
@@ -34,18 +35,24 @@ enum Scheme {
 }
 
 impl<'s> Stepper<'s> {
-    pub(super) fn new(system: &'s System<'s>) -> Result<Self, TransportError> {
+    /// Factors the matrix of the scheme; `None` where the control stops first.
+    pub(super) fn new(system: &'s System<'s>, control: &Control) -> Result<Option<Self>, TransportError> {
         let rate = 1.0 / system.parameters.step;
         let scheme = match system.parameters.scheme {
-            TimeScheme::First => Scheme::First(Lu::new(&system.matrix(rate)?)?),
+            TimeScheme::First => factored(system, rate, control)?.map(Scheme::First),
             TimeScheme::Second => {
-                Scheme::Second { stages: Lu::new(&system.matrix(rate / GAMMA)?)?, first: None }
+                factored(system, rate / GAMMA, control)?.map(|stages| Scheme::Second { stages, first: None })
             }
         };
-        Ok(Self { system, source: system.source(), scheme })
+        Ok(scheme.map(|scheme| Self { system, source: system.source(), scheme }))
     }
 
-    pub(super) fn step(&mut self, values: &[f64]) -> Result<Stepped, TransportError> {
+    /// Makes a step; `None` where the control stops first.
+    pub(super) fn step(
+        &mut self,
+        values: &[f64],
+        control: &Control,
+    ) -> Result<Option<Stepped>, TransportError> {
         let (system, step) = (self.system, self.system.parameters.step);
         let solve = |solver: &Lu, rate: f64, values: &[f64]| -> Result<Vec<f64>, TransportError> {
             let right = values.iter().zip(&self.source).enumerate();
@@ -67,7 +74,7 @@ impl<'s> Stepper<'s> {
             Scheme::First(solver) => {
                 let next = solve(solver, 1.0 / step, values)?;
                 let (net, gross) = through_ends(&[(&next, 1.0)]);
-                Ok(Stepped { values: next, net, gross })
+                Ok(Some(Stepped { values: next, net, gross }))
             }
             Scheme::Second { stages, first } => {
                 let rate = 1.0 / (GAMMA * step);
@@ -77,17 +84,23 @@ impl<'s> Stepper<'s> {
                 let two = solve(stages, rate, &from)?;
                 if two.iter().all(|x| *x >= 0.0) {
                     let (net, gross) = through_ends(&[(&one, 1.0 - GAMMA), (&two, GAMMA)]);
-                    return Ok(Stepped { values: two, net, gross });
+                    return Ok(Some(Stepped { values: two, net, gross }));
                 }
-                let solver = match first {
-                    Some(solver) => solver,
-                    None => first.insert(Box::new(Lu::new(&system.matrix(1.0 / step)?)?)),
-                };
+                if first.is_none() {
+                    *first = factored(system, 1.0 / step, control)?.map(Box::new);
+                }
+                let Some(solver) = first else { return Ok(None) };
                 let low = solve(solver, 1.0 / step, values)?;
-                Ok(limited(system, &low, [(&one, 1.0 - GAMMA), (&two, GAMMA)]))
+                Ok(Some(limited(system, &low, [(&one, 1.0 - GAMMA), (&two, GAMMA)])))
             }
         }
     }
+}
+
+/// The factors of the matrix for a rate, which take the longest; `None` where the control stops first.
+fn factored(system: &System<'_>, rate: f64, control: &Control) -> Result<Option<Lu>, TransportError> {
+    let matrix = system.matrix(rate)?;
+    Ok(unless_stopped(control, move || Lu::new(&matrix)).transpose()?)
 }
 
 /// The first-order step plus as much of the difference to second-order fluxes as keeps concentrations nonnegative: Zalesak's
