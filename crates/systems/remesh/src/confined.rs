@@ -10,7 +10,7 @@ use super::marked::{Collapse, Freedom, Marked};
 use super::places::Places;
 use super::reference::Reference;
 use super::smooth::{Move, smooth};
-use super::trial::Star;
+use super::star::Star;
 use super::within::Input;
 use glam::DVec3;
 use pompeiu_core::MeshError;

@@ -4,7 +4,7 @@ use super::candidates::Triangle;
 use super::connectivity::DynamicMesh;
 use super::face_tree::FaceTree;
 use super::marked::Marked;
-use super::trial::Star;
+use super::star::Star;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::spatial::faces_intersect;
 

@@ -44,6 +44,7 @@ mod simplify_options;
 mod simplify_run;
 mod sizing;
 mod smooth;
+mod star;
 mod trial;
 mod within;
 

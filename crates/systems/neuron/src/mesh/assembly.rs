@@ -1,7 +1,8 @@
 //! Assembly of the blocks of nodes and tubes.
 
 use super::cluster::Layout;
-use super::node::{NodeMesh, layer_of, place_in_disc};
+use super::node::{layer_of, place_in_disc};
+use super::node_mesh::NodeMesh;
 use super::section::Section;
 use super::sweep::{RadialLength, Station, stations, twist};
 use super::tube::Tube;

@@ -2,7 +2,8 @@
 
 use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
 use super::energy::Shape;
-use super::node::{Cluster, NodeMesh, size_of};
+use super::node::{Cluster, size_of};
+use super::node_mesh::NodeMesh;
 use super::section::Section;
 use super::tube::Tube;
 use super::wall::Wall;

@@ -1,7 +1,7 @@
 //! Drawing the wall of a node to the cones where it is too far from them.
 
 use super::energy::{Energy, Shape};
-use super::node::{NodeMesh, PLACES, quality};
+use super::node_mesh::{NodeMesh, PLACES, quality};
 use super::skin::Skin;
 use super::wall::Wall;
 use pompeiu_core::run::Control;

@@ -18,6 +18,7 @@ mod energy;
 mod follow;
 mod import;
 mod node;
+mod node_mesh;
 mod options;
 mod proof;
 mod section;

@@ -5,6 +5,7 @@ use super::assign::{Assignment, assignments};
 use super::core::{Core, library, library_of_balls};
 use super::energy::{Energy, Shape};
 use super::follow::Draft;
+use super::node_mesh::{NodeMesh, PLACES, Section, quality, quality_at_points};
 use super::skin::Skin;
 use super::tube::{End, Tube};
 use super::wall::{Middle, Wall};
@@ -12,7 +13,7 @@ use super::warp::{Ray, side_of, turned};
 use crate::RoundCone;
 use glam::DVec3;
 use pompeiu_core::run::Control;
-use pompeiu_volume::{Refinement, key_weights as weights, scaled_jacobian, scaled_jacobian_bound};
+use pompeiu_volume::{Refinement, key_weights as weights};
 
 /// Half the diagonal of the core square of a section, in radii.
 pub(super) const CORE: f64 = 0.55;
@@ -144,37 +145,10 @@ impl Cluster {
     }
 }
 
-/// The end of an arm: where the mesh of the tube begins.
-#[derive(Clone)]
-pub(super) struct Section {
-    /// Length along the tube, from the node.
-    pub(super) at: f64,
-    /// The direction of the first corner: corners lie at 45°, 135°, … from it, counter-clockwise about the outward tangent.
-    pub(super) side: DVec3,
-    /// Its corners in the core and on the wall, as indices among the block corners of the node.
-    pub(super) inner: [u32; 4],
-    pub(super) outer: [u32; 4],
-}
-
-/// The mesh around a node.
-#[derive(Clone)]
-pub(super) struct NodeMesh {
-    pub(super) blocks: Vec<[u32; 8]>,
-    /// Number of corners of blocks.
-    pub(super) corners: usize,
-    /// The key and index of each fine vertex.
-    pub(super) refinement: Refinement,
-    pub(super) positions: Vec<DVec3>,
-    pub(super) sections: Vec<Section>,
-    /// The least scaled Jacobian of its cells.
-    pub(super) quality: f64,
-}
-
 /// No further assignment is tried once this quality is reached.
 const GOOD: f64 = 0.35;
 
-/// Parameters along each axis of a cell at which its shape is measured, and more of them.
-pub(super) const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+/// More parameters than [`PLACES`] along each axis of a cell.
 const MANY_PLACES: [f64; 6] = [0.0, 0.1, 0.35, 0.65, 0.9, 1.0];
 
 /// Difference of the least scaled Jacobian and that at points from which on it is measured at more points.
@@ -696,19 +670,4 @@ fn optimise(
         }
     }
     best(positions)
-}
-
-/// The least scaled Jacobian over all cells, but for the gap of its bounds.
-pub(super) fn quality(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
-    let at_points = quality_at_points(cells, positions);
-    let bound = |cell: &[u32; 8]| scaled_jacobian_bound(&cell.map(|v| positions[v as usize]), at_points);
-    if at_points > 0.0 { cells.iter().map(bound).fold(at_points, f64::min) } else { at_points }
-}
-
-/// The least scaled Jacobian at 27 points of each cell.
-fn quality_at_points(cells: &[[u32; 8]], positions: &[DVec3]) -> f64 {
-    cells
-        .iter()
-        .map(|cell| scaled_jacobian(&cell.map(|v| positions[v as usize])))
-        .fold(f64::INFINITY, f64::min)
 }
