@@ -63,7 +63,8 @@ pub struct DirectedDeviation {
     pub floor: f64,
     /// Why the work ended. [`StopReason::Tolerance`]: all statistics are as narrow as asked. [`StopReason::Stalled`]: what is
     /// wider did not become narrower, as a percentile where the distribution has a gap, or a share above a threshold at which much
-    /// of the area lies. The enclosures are valid in every case.
+    /// of the area lies. The median of two equal squares at distances 0 and 1 is enclosed by 0 and 1: rounded sums do not tell which of the two
+    /// areas is larger. The enclosures are valid in every case.
     pub stop: StopReason,
     /// The work that was done.
     pub work: DeviationWork,
