@@ -109,12 +109,12 @@ impl<'r> Run<'r> {
             return Ok(false);
         }
         let found = self_intersections(&self.mesh_of(&work.surface)?, MOST_PAIRS).pairs.len();
+        if found == 0 {
+            return Ok(false);
+        }
         // Where all pairs are refused, those of the input would remain.
         let most = if asked == Intersections::Refuse { 1 } else { found };
-        Ok(found > 0 && {
-            let of_input = self_intersections(self.mesh, most).pairs.len();
-            of_input < most
-        })
+        Ok(self_intersections(self.mesh, most).pairs.len() < most)
     }
 
     /// Whether faces of a surface intersect.

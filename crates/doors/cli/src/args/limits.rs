@@ -6,8 +6,7 @@ use crate::numbers::{duration, memory};
 use crate::threads::use_threads;
 use clap::{ArgMatches, Args, Command};
 use pompeiu::core::request::Limit;
-use std::panic::resume_unwind;
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use pompeiu::core::run::{self, Control, unless_stopped};
 use std::time::{Duration, Instant};
 
 /// What is read within this time is read even if the time limit is shorter: then there is an answer.
@@ -52,12 +51,12 @@ impl Limits {
     }
 
     /// The limits of a computation that begins when some time has passed.
-    pub(crate) fn after(&self, passed: Duration) -> pompeiu::core::run::Limits {
-        pompeiu::core::run::Limits {
+    pub(crate) fn after(&self, passed: Duration) -> run::Limits {
+        run::Limits {
             time: self.time_after(passed),
             memory: self.memory_limit,
             cancel: Some(interrupt::token()),
-            ..pompeiu::core::run::Limits::default()
+            ..run::Limits::default()
         }
     }
 
@@ -71,16 +70,9 @@ impl Limits {
         read: impl FnOnce() -> R + Send + 'static,
     ) -> Result<R, OutOfTime> {
         let Some(limit) = self.time_limit else { return Ok(read()) };
-        let (sender, receiver) = channel();
-        let reading = std::thread::spawn(move || sender.send(read()));
-        match receiver.recv_timeout(limit.max(READING).saturating_sub(started.elapsed())) {
-            Ok(read) => Ok(read),
-            Err(RecvTimeoutError::Timeout) => Err(OutOfTime(limit)),
-            Err(RecvTimeoutError::Disconnected) => match reading.join() {
-                Err(panic) => resume_unwind(panic),
-                Ok(_) => unreachable!("what is sent is received"),
-            },
-        }
+        let left = limit.max(READING).saturating_sub(started.elapsed());
+        let of_reading = run::Limits { time: Some(left), ..run::Limits::default() };
+        unless_stopped(&Control::start(&of_reading), read).ok_or(OutOfTime(limit))
     }
 
     /// What is left of the time after some has passed.

@@ -509,7 +509,7 @@ mod tests {
             let found = area_up_to(&areas, level);
             let (low, high) = exactly(&entries, level);
             let doubt = 2.0 * FEW_OPERATIONS * total;
-                prop_assert!(found.lower() <= low + doubt && high <= found.upper() + doubt, "{found:?} {low} {high}");
+            prop_assert!(found.lower() <= low + doubt && high <= found.upper() + doubt, "{found:?} {low} {high}");
             // Each entry by itself, for those with greater values are rounded to coarser places.
             for entry in &entries {
                 let areas = [self::areas(&[*entry], ruler)];
