@@ -2,10 +2,12 @@
 
 use super::connectivity::NONE;
 use super::flips::{flip_to_delaunay, flip_to_regular};
-use super::marked::{Collapse, Marked};
+use super::marked::{Collapse, Freedom, Marked};
+use super::needles::{Flips, split_needles};
 use super::reference::Reference;
 use super::smooth::{keeps_normal, smooth};
 use pompeiu_core::run::Control;
+use pompeiu_core::spatial::bvh::Workspace;
 
 /// An edge longer than this many times its target is split.
 pub(super) const LONGEST: f64 = 4.0 / 3.0;
@@ -20,7 +22,7 @@ pub(super) const STEPS: usize = 3;
 const LAST_ROUNDS: usize = 3;
 
 /// Halfedges between two looks at the limits.
-const STOP_EVERY: u32 = 4096;
+pub(super) const STOP_EVERY: u32 = 4096;
 
 /// More faces than were allowed.
 pub(super) struct TooMany;
@@ -32,8 +34,9 @@ pub(super) fn iterate(
     most_faces: usize,
     control: &Control,
 ) -> Result<(), TooMany> {
+    split_needles(surface, LONGEST, Flips::near(reference), most_faces, control)?;
     split_longer_than(surface, LONGEST, most_faces, control)?;
-    collapse_short(surface, control);
+    collapse_short(surface, reference, control);
     if !control.is_stopped() {
         flip_to_regular(surface);
     }
@@ -84,9 +87,10 @@ pub(super) fn split_longer_than(
     }
 }
 
-/// Collapses short edges where this makes no long one and turns no face over.
-fn collapse_short(surface: &mut Marked, control: &Control) {
+/// Collapses short edges where this makes no long one and turns no face over. Vertices of curves stay on them.
+fn collapse_short(surface: &mut Marked, reference: Option<&Reference<'_>>, control: &Control) {
     let shortest_sq = SHORTEST * SHORTEST;
+    let mut workspace = Workspace::default();
     for h in 0..surface.mesh.halfedge_slots() {
         if h % STOP_EVERY == 0 && control.is_stopped() {
             return;
@@ -94,7 +98,14 @@ fn collapse_short(surface: &mut Marked, control: &Control) {
         if !surface.mesh.names_edge(h) || surface.share_sq(h) >= shortest_sq {
             continue;
         }
-        if let Some(collapse) = surface.collapse_of(h).filter(|c| is_harmless(surface, c)) {
+        let Some(mut collapse) = surface.collapse_of(h) else { continue };
+        if let (Freedom::Curve, Some(reference)) = (collapse.freedom, reference) {
+            let curve = surface.curve[h as usize];
+            if let Some(p) = reference.project_to_curve(collapse.position, curve, &mut workspace) {
+                collapse.position = p;
+            }
+        }
+        if is_harmless(surface, &collapse) {
             surface.collapse(&collapse);
         }
     }

@@ -28,6 +28,7 @@ mod least_faces;
 mod lengths;
 mod marked;
 mod near;
+mod needles;
 mod places;
 mod quadric;
 mod quality;

@@ -41,7 +41,7 @@ const MUCH_SHORTER: f64 = 0.5;
 /// # Shapes and units
 /// An oriented manifold mesh, with or without boundary, of any number of components; lengths in its unit.
 /// # Definition
-/// Each iteration splits edges longer than 4/3 of their target, collapses those shorter than 4/5, flips edges towards valence 6, and
+/// Each iteration splits edges longer than 4/3 of their target (those of long thin faces first, with flips between), collapses those shorter than 4/5, flips edges towards valence 6, and
 /// moves vertices towards the middle of their neighbours in their tangent plane, then to the nearest point of the input. The last rounds
 /// flip and move only. Topology does not change. Boundaries, creases and selected edges stay curves on the curves of
 /// the input; their corners and selected vertices stay where they are.

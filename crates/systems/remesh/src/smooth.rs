@@ -26,7 +26,17 @@ pub(super) struct Move {
 pub(super) fn smooth(surface: &mut Marked, reference: Option<&Reference<'_>>, steps: usize) {
     let rings = Rings::of(surface);
     for _ in 0..steps {
-        let moved = each_vertex(surface, |v, _| relaxed(surface, &rings, v));
+        let moved = each_vertex(surface, |v, workspace| {
+            let to = relaxed(surface, &rings, v);
+            match (reference, surface.hold[v as usize]) {
+                // A move that cannot be made leaves the vertex on its curve.
+                (Some(reference), Hold::Curve(curve)) => {
+                    let on_curve = reference.project_to_curve(to.position, curve, workspace);
+                    Move { position: on_curve.unwrap_or(to.position), ..to }
+                }
+                _ => to,
+            }
+        });
         apply(surface, moved);
     }
     if let Some(reference) = reference {

@@ -7,6 +7,7 @@ use crate::held::{Held, RISKY, keep_creases, mark_rough, spread};
 use crate::isotropic::{LONGEST, finish, iterate, split_longer_than};
 use crate::marked::Marked;
 use crate::near::far_places;
+use crate::needles::{Flips, split_needles};
 use crate::reference::{Reference, identity};
 use crate::remesh_options::RemeshError;
 use crate::sizing::Lengths;
@@ -65,8 +66,7 @@ impl Work<'_> {
         }
         let start = self.held_start(limit, marked)?;
         let mut whole = self.copy.clone();
-        split_longer_than(&mut whole, COVERED, self.options.most_faces, &self.control)
-            .map_err(|_| self.too_many())?;
+        self.split(&mut whole, COVERED, limit)?;
         if self.control.is_stopped() {
             self.places.settle(&mut whole.mesh);
             self.surface = whole;
@@ -80,8 +80,7 @@ impl Work<'_> {
         let (start, open, cover) = if let (Some((start, open)), Some(cover)) = (start, covered) {
             (start, open, cover)
         } else {
-            split_longer_than(&mut whole, LONGEST, self.options.most_faces, &self.control)
-                .map_err(|_| self.too_many())?;
+            self.split(&mut whole, LONGEST, limit)?;
             let cover = Cover::new(&whole.mesh, &tree(&whole)?);
             self.places.settle(&mut whole.mesh);
             let all = vec![true; whole.hold.len()];
@@ -101,6 +100,14 @@ impl Work<'_> {
         }
         self.surface = confined.surface;
         Ok(())
+    }
+
+    /// Splits edges longer than this many target lengths, and leaves the surface where it is.
+    fn split(&self, surface: &mut Marked, longest: f64, limit: f64) -> Result<(), RemeshError> {
+        let most_faces = self.options.most_faces;
+        split_needles(surface, longest, Flips::in_place(limit), most_faces, &self.control)
+            .and_then(|()| split_longer_than(surface, longest, most_faces, &self.control))
+            .map_err(|_| self.too_many())
     }
 
     /// The input remeshed while edges stay at which it bends, with the vertices near these; none if it is not within the limit. The

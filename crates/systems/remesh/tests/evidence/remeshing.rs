@@ -42,6 +42,51 @@ fn closed_surfaces_get_nearly_equilateral_faces() {
 }
 
 #[test]
+fn needles_become_about_as_many_faces_as_their_area_holds() {
+    let tube = |height| shapes::cylinder(1.0, height, 200, 1, Ends::Open).unwrap();
+    // How far the longest edges that are not split stand off a circle of radius 1.
+    let chord = |target: f64| 1.0 - (1.0 - (2.0 / 3.0 * target).powi(2)).sqrt();
+    // Of each the target, and the distance that this allows.
+    let cases = [
+        (tube(10.0), 0.5, 1.1 * chord(0.5)),
+        (tube(30.0), 0.4, 1.1 * chord(0.4)),
+        (tube(100.0), 0.8, 1.1 * chord(0.8)),
+        // The tip is cut off where it is less than three edges around.
+        (
+            shapes::cone(1.0, 10.0, 200, Ends::Open).unwrap(),
+            0.3,
+            1.1 * 10.0 * 3.0 * 0.3 / std::f64::consts::TAU,
+        ),
+        (shapes::disk(10.0, 100, 1).unwrap(), 0.5, 0.02),
+    ];
+    for (mesh, target, most) in cases {
+        let found = with_length(&mesh, target);
+        let area = MeshSummary::of(&mesh).area;
+        let share = found.after.faces as f64 / (area / (0.25 * 3.0_f64.sqrt() * target * target));
+        assert!((0.75..1.15).contains(&share), "{share} times as many faces");
+        assert!(found.after.least_angle.mean > 50.0, "{:?}", found.after);
+        assert!(distance(&found) < most, "{} for {most}", distance(&found));
+    }
+    // With its edges kept, a long box stays the same set.
+    let long = shapes::cuboid([300.0, 1.0, 1.0], 1).unwrap();
+    let features = Features { angle: Some(40.0), ..Features::default() };
+    let found =
+        remesh(&long, &RemeshOptions { features, ..RemeshOptions::new(Sizing::Length(0.5)) }).unwrap();
+    assert!((8_000..12_000).contains(&found.after.faces), "{:?}", found.after);
+    assert!(distance(&found) < 1e-9 && found.after.least_angle.least > 20.0, "{:?}", found.after);
+}
+
+#[test]
+fn needles_are_remeshed_within_a_distance() {
+    let tube = shapes::cylinder(1.0, 20.0, 200, 1, Ends::Open).unwrap();
+    for within in [0.05, 0.01] {
+        let options = RemeshOptions { within: Some(within), ..RemeshOptions::new(Sizing::Length(0.5)) };
+        let found = remesh(&tube, &options).unwrap();
+        assert!(distance(&found) <= within && found.after.faces < 8000, "{:?}", found.after);
+    }
+}
+
+#[test]
 fn no_face_is_turned() {
     let sphere = displace_at_random(&shapes::icosphere(1.0, 4).unwrap(), 0.01, 3).unwrap();
     let found = with_length(&sphere, 0.15);
