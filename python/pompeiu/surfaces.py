@@ -227,7 +227,7 @@ def simplify(
     within: Optional[Union[float, str]] = None,
     unit: str = "",
     relative: Optional[float] = None,
-    faces: Optional[int] = None,
+    faces: Optional[Union[int, str]] = None,
     effort: Literal["fast", "best"] = "best",
     features: Optional[float] = None,
     repair: bool = False,
@@ -258,8 +258,8 @@ def simplify(
         The unit of the coordinates, such as mm; files have none.
     relative : float, optional
         Largest distance as a fraction of the diagonal of the bounding box.
-    faces : int, optional
-        Number of faces to reach; the distance follows.
+    faces : Union[int, str], optional
+        Number of faces to reach, such as 1000, or 10% of those of the input; the distance follows.
     effort : str
         The effort to make the distance small at a given number of faces. ``"fast"``: quadric errors alone decide;
         ``"best"``: every collapse is tested, as for a distance: some ten to twenty times the time of fast, mostly a

@@ -2,7 +2,7 @@
 
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::StopReason;
-use pompeiu_core::spatial::self_intersections;
+use pompeiu_core::spatial::{SelfIntersections, self_intersections};
 
 /// Pairs that are counted at most.
 pub(super) const MOST_PAIRS: usize = 1_000_000;
@@ -40,6 +40,12 @@ pub struct IntersectionCount {
     pub pairs: usize,
     /// Whether these are all; otherwise there are more.
     pub complete: bool,
+}
+
+impl IntersectionCount {
+    pub(super) fn of(found: &SelfIntersections) -> Self {
+        Self { pairs: found.pairs.len(), complete: found.complete }
+    }
 }
 
 /// Faces of the result intersect, and that was to be refused.
@@ -88,7 +94,7 @@ impl Intersections {
         };
         match found.pairs.first() {
             Some(first) if is_refused() => Err(Intersects { pairs: found.pairs.len(), place: first.place }),
-            _ => Ok(Some(IntersectionCount { pairs: found.pairs.len(), complete: found.complete })),
+            _ => Ok(Some(IntersectionCount::of(&found))),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::collapses::{Collapses, Snapshot};
 use super::cover::Cover;
 use super::marked::Marked;
 use super::simplify_options::{Simplified, SimplifyError, SimplifyTarget, SimplifyTiming};
-use super::simplify_run::Run;
+use super::simplify_run::{Run, Verdict};
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Instant;
 use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
@@ -83,10 +83,8 @@ fn by_error(
     for &target in targets {
         work.leave_faces(faces_of(&target));
         work.run(&run.control, run.options.progress);
-        if run.must_keep_apart(&work)? {
-            return Ok(None);
-        }
-        found.push(run.measured(&work, target, started)?);
+        let Verdict::May(intersections) = run.judge(&work)? else { return Ok(None) };
+        found.push(Simplified { intersections, ..run.measured(&work, target, started)? });
         started = Instant::now();
     }
     Ok(Some((seeds, found)))
@@ -214,11 +212,10 @@ impl<'s> Schedule<'s> {
             }
             let reached = work.surface.mesh.face_count() <= faces;
             if reached {
-                if self.run.must_keep_apart(work)? {
-                    return Ok(None);
-                }
+                let Verdict::May(intersections) = self.run.judge(work)? else { return Ok(None) };
                 in_first = in_first.min(passes);
-                found.push(Some(self.run.measured(work, target, started)?));
+                let result = self.run.measured(work, target, started)?;
+                found.push(Some(Simplified { intersections, ..result }));
             } else {
                 found.push(None);
             }

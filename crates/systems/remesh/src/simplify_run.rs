@@ -1,7 +1,7 @@
 //! What all of a simplification share, and the measurement of its results.
 
 use super::collapses::Collapses;
-use super::guard::{Intersections, MOST_PAIRS};
+use super::guard::{IntersectionCount, Intersections, MOST_PAIRS};
 use super::least_faces::least_faces;
 use super::lengths::NotWithin;
 use super::marked::Marked;
@@ -22,6 +22,14 @@ const LOCAL_SHARE: f64 = 0.9999;
 /// Faces are kept apart from a surface of so many times the faces asked for, the last of these without faces that intersect: tests of finer
 /// ones take most of the time, and find nothing.
 const KEPT_APART_FROM: [usize; 2] = [64, 16];
+
+/// Whether a surface may be a result.
+pub(super) enum Verdict {
+    /// Faces intersect that must not: it is to be made again with faces kept apart.
+    MustKeepApart,
+    /// It may, with the pairs of faces that intersect where they were sought.
+    May(Option<IntersectionCount>),
+}
 
 /// What all of a simplification share.
 pub(super) struct Run<'r> {
@@ -92,29 +100,32 @@ impl<'r> Run<'r> {
                 SimplifyTarget::Faces(n) => work.leave_faces(n),
             }
             work.run(&self.control, self.options.progress);
-            if self.must_keep_apart(&work)? {
-                return Ok(None);
-            }
-            let result = self.measured(&work, target, started)?;
+            let Verdict::May(intersections) = self.judge(&work)? else { return Ok(None) };
+            let result = Simplified { intersections, ..self.measured(&work, target, started)? };
             found.push(self.guarded(result)?);
             started = Instant::now();
         }
         Ok(Some(found))
     }
 
-    /// Whether more pairs of faces of a surface intersect than of the input, and that must not be.
-    pub(super) fn must_keep_apart(&self, work: &Collapses<'_>) -> Result<bool, SimplifyError> {
+    /// Whether a surface may be a result: where intersections are avoided no more pairs of faces intersect than of the input.
+    pub(super) fn judge(&self, work: &Collapses<'_>) -> Result<Verdict, SimplifyError> {
         let asked = self.options.intersections;
         if !asked.avoids() || work.keeps_apart() || self.control.is_stopped() {
-            return Ok(false);
+            return Ok(Verdict::May(None));
         }
-        let found = self_intersections(&self.mesh_of(&work.surface)?, MOST_PAIRS).pairs.len();
-        if found == 0 {
-            return Ok(false);
+        let found = self_intersections(&self.mesh_of(&work.surface)?, MOST_PAIRS);
+        let count = IntersectionCount::of(&found);
+        if count.pairs == 0 {
+            return Ok(Verdict::May(Some(count)));
         }
         // Where all pairs are refused, those of the input would remain.
-        let most = if asked == Intersections::Refuse { 1 } else { found };
-        Ok(self_intersections(self.mesh, most).pairs.len() < most)
+        let refuses_all = asked == Intersections::Refuse;
+        let most = if refuses_all { 1 } else { count.pairs };
+        if self_intersections(self.mesh, most).pairs.len() < most {
+            return Ok(Verdict::MustKeepApart);
+        }
+        Ok(Verdict::May((!refuses_all).then_some(count)))
     }
 
     /// Whether faces of a surface intersect.
@@ -174,8 +185,11 @@ impl<'r> Run<'r> {
         HausdorffOptions { limits, ..HausdorffOptions::default() }
     }
 
-    /// Counts the faces of a result that intersect, where that is asked for.
+    /// Counts the faces of a result that intersect, where that is asked for and was not done before.
     pub(super) fn guarded(&self, mut result: Simplified) -> Result<Simplified, SimplifyError> {
+        if result.intersections.is_some() {
+            return Ok(result);
+        }
         // A result that is not finished is not refused for what the end would have mended.
         let intersections = match self.options.intersections {
             Intersections::RefuseNew if self.control.is_stopped() => Intersections::Report,

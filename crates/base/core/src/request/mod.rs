@@ -6,11 +6,13 @@
 //! A [`Report`] says what was found; an [`Answer`] is both, with the inputs and times.
 
 mod answer;
+mod count;
 mod info;
 mod length;
 pub mod values;
 
 pub use answer::{Answer, Conclusion, Input, Report, Timing};
+pub use count::{Count, CountError};
 pub use info::{FileFacts, InfoReport, InfoRequest, IntersectingFacePair, IntersectingFaces};
 pub use length::{Band, Length, LengthError};
 use std::fmt::Write;

@@ -6,7 +6,7 @@ use crate::{
 };
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::mesh::{Coordinates, Rounding};
-use pompeiu_core::request::{Conclusion, Length, Limit, Report, Request};
+use pompeiu_core::request::{Conclusion, Count, Length, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_hausdorff::SymmetricReport;
@@ -30,9 +30,9 @@ pub struct SimplifyRequest {
     /// Largest distance as a fraction of the diagonal of the bounding box.
     #[cfg_attr(feature = "clap", arg(long, value_parser = fraction, value_name = "FRACTION"))]
     pub relative: Option<f64>,
-    /// Number of faces to reach; the distance follows.
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
-    pub faces: Option<usize>,
+    /// Number of faces to reach, such as 1000, or 10% of those of the input; the distance follows.
+    #[cfg_attr(feature = "clap", arg(long, value_name = "COUNT"))]
+    pub faces: Option<Count>,
     /// The effort to make the distance small at a given number of faces.
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub effort: Effort,
@@ -211,7 +211,7 @@ impl SimplifyRequest {
         let target = match (&self.within, self.relative, self.faces) {
             (Some(length), None, None) => SimplifyTarget::Within(length.of(&self.unit, diagonal)?),
             (None, Some(share), None) => SimplifyTarget::Within(share * diagonal),
-            (None, None, Some(faces)) => SimplifyTarget::Faces(faces),
+            (None, None, Some(faces)) => SimplifyTarget::Faces(faces.of(mesh.faces().len())),
             _ => return Err(SimplifyError::OneTarget),
         };
         match target {
@@ -249,7 +249,9 @@ mod tests {
     fn one_target_is_asked_for() {
         let sphere = icosphere(1.0, 2).expect("a sphere");
         let run = |request: &SimplifyRequest| request.run(&sphere, &[], &RunContext::default());
-        let faces = SimplifyRequest { faces: Some(200), levels: 2, ..SimplifyRequest::default() };
+        let share = SimplifyRequest { faces: Count::percent(50.0).ok(), ..SimplifyRequest::default() };
+        assert_eq!(run(&share).expect("a mesh").report.level.faces, 160);
+        let faces = SimplifyRequest { faces: Some(200.into()), levels: 2, ..SimplifyRequest::default() };
         let found = run(&faces).expect("a mesh").report;
         assert!(found.level.faces <= 200 && found.finer.len() == 1 && found.finer[0].faces > 200);
         let both = SimplifyRequest { relative: Some(0.1), ..faces };

@@ -43,7 +43,7 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
         row(label, format!("{} faces, H(A, B) {distance}: {}", faces(level.faces), path.display()));
     }
     if let (Some(refusals), Some(asked)) = (&level.refusals, answer.request.faces) {
-        row("refused", format!("{} faces are not reached: {}", faces(asked), why(refusals)));
+        row("refused", format!("{} faces are not reached: {}", faces(asked.of(before)), why(refusals)));
     } else if found.stop.is_early() {
         row("stopped", format!("early ({}): fewer faces may do", found.stop.name()));
     }
