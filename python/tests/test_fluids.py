@@ -72,7 +72,8 @@ def test_a_scene_flows_as_the_command_has_it(tmp_path):
     assert pompeiu.fluid(torus, **scene, steps=4, time_limit=0).stop == "time"
     assert pompeiu.fluid(torus, **scene, steps=100_000, progress=lambda share: False).stop == "cancelled"
     for wrong, message in [
-        ({"steps": 1}, "no length of a step"),
+        ({"steps": 1}, "give the length of a step"),
+        ({}, "give the number of steps .* and the length of a step"),
         ({"steps": 1, "dt": 0.1, "lid": 1.0}, "`lid` is for the square"),
         ({"steps": 1, "dt": 0.1, "vortex": [{"at": [0, 0, 0], "radious": 1}]}, "unknown field `radious`"),
     ]:

@@ -34,14 +34,9 @@ pub enum FluidRequestError {
         /// What is wrong.
         error: PictureFailure,
     },
-    /// An option is missing.
-    #[error("no {what} is given; name one with {option}")]
-    Missing {
-        /// What the option is about.
-        what: &'static str,
-        /// The option of the command.
-        option: &'static str,
-    },
+    /// The number of steps, their length, or both are missing.
+    #[error("give {0}")]
+    Missing(&'static str),
     /// An option is for the square only.
     #[error("`{0}` is for the square; name it with --square, or leave `{0}` out")]
     ForSquare(&'static str),

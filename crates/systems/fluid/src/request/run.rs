@@ -67,8 +67,7 @@ impl FluidRequest {
     /// # Errors
     /// [`FluidRequestError::Missing`], [`FluidRequestError::TwoStarts`], [`FluidRequestError::Cells`].
     pub fn check(&self) -> Result<(), FluidRequestError> {
-        self.asked()?;
-        self.length_of_step()?;
+        self.count_and_length_of_steps()?;
         self.cells()?;
         let has_vorticity = self.vorticity.is_some() || !self.harmonic.is_empty() || !self.vortex.is_empty();
         if self.velocity.is_some() && has_vorticity {
@@ -82,7 +81,18 @@ impl FluidRequest {
     /// # Errors
     /// [`FluidRequestError::Missing`].
     pub fn asked(&self) -> Result<usize, FluidRequestError> {
-        self.steps.ok_or(FluidRequestError::Missing { what: "number of steps", option: "--steps" })
+        self.count_and_length_of_steps().map(|(count, _)| count)
+    }
+
+    /// Both, so that whoever gives neither is told of both at once.
+    pub(super) fn count_and_length_of_steps(&self) -> Result<(usize, f64), FluidRequestError> {
+        let missing = match (self.steps, self.dt) {
+            (Some(count), Some(length)) => return Ok((count, length)),
+            (None, Some(_)) => "the number of steps with --steps",
+            (Some(_), None) => "the length of a step with --dt",
+            (None, None) => "the number of steps with --steps and the length of a step with --dt",
+        };
+        Err(FluidRequestError::Missing(missing))
     }
 
     fn run_here<'s>(

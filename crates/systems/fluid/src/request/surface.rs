@@ -65,7 +65,7 @@ impl FluidRequest {
         mesh: &TriMesh,
         surface: &EmbeddedSurface,
     ) -> Result<FluidOptions, FluidRequestError> {
-        let dt = self.length_of_step()?;
+        let (_, dt) = self.count_and_length_of_steps()?;
         let around = Aabb::of_points(mesh.positions());
         let densities = self.density.iter().map(|density| {
             let Amounts { initial, source } = amounts(density, mesh, &around)?;
@@ -104,11 +104,6 @@ impl FluidRequest {
             densities: densities.collect::<Result<_, FluidRequestError>>()?,
             transport: self.transport,
         })
-    }
-
-    /// The length of a step.
-    pub(super) fn length_of_step(&self) -> Result<f64, FluidRequestError> {
-        self.dt.ok_or(FluidRequestError::Missing { what: "length of a step", option: "--dt" })
     }
 
     /// The vorticity of an expression and of vortices.
