@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from typing import Any, Dict, Mapping, Sequence, Tuple
 
 import numpy as np
 
 from . import _native
-from .errors import OptionError
-from .sources import as_mesh
+from .errors import MeshWarning, OptionError
+from .sources import Mesh, as_mesh
 
 __all__ = ["ask", "split"]
 
@@ -27,9 +28,22 @@ def ask(
     ``others`` are inputs that are no meshes.
     """
     options = dict(given)
-    sources = [as_mesh(options.pop(mesh)) for mesh in meshes] + list(others)
+    sources = [as_mesh(options.pop(mesh)) for mesh in meshes]
+    if len(sources) == 2:
+        _warn_of_units(*sources)
+    sources += others
     answer, beside = _native.ask(name, sources, *split(options))
     return json.loads(answer), beside
+
+
+def _warn_of_units(a: Mesh, b: Mesh) -> None:
+    found = a._unit_factor(b)
+    if found is not None:
+        factor, first_is_larger = found
+        large, small = ("A", "B") if first_is_larger else ("B", "A")
+        warnings.warn(
+            f"{large} is about {factor:g} times the size of {small}; are they in the same unit?", MeshWarning, stacklevel=4
+        )
 
 
 def split(given: Dict[str, Any]) -> Tuple[str, Tuple[Any, ...], Any]:

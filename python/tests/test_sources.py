@@ -233,3 +233,10 @@ def test_faces_left_out_are_told(tmp_path: Path):
     thin.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n")
     with pytest.warns(pompeiu.MeshWarning, match="1 faces with fewer than three corners"):
         assert pompeiu.read_mesh(thin).n_faces == 1
+
+
+def test_meshes_of_other_units_are_told():
+    metres, millimetres = pompeiu.shapes.cube(1.0, 1), pompeiu.shapes.cube(1000.0, 1)
+    for ask in (pompeiu.distance, pompeiu.deviation):
+        with pytest.warns(pompeiu.MeshWarning, match="B is about 1000 times the size of A"):
+            ask(metres, millimetres)

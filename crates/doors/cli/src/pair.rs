@@ -5,7 +5,7 @@ use crate::files;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use anyhow::bail;
-use pompeiu::core::mesh::unreferenced_vertices;
+use pompeiu::core::mesh::{unit_factor, unreferenced_vertices};
 use pompeiu::io::ReadMesh;
 use pompeiu::matching::request::RequestError;
 use std::path::Path;
@@ -58,7 +58,7 @@ fn warn(paths: [&Path; 2], files: [&(usize, ReadMesh); 2], printer: &Printer) {
         files::warn_of_changes(path, read, printer);
         files::warn_of_unreferenced(path, *unreferenced, printer);
     }
-    if let Some((factor, a_is_larger)) = files::unit_factor(&files[0].1.mesh, &files[1].1.mesh) {
+    if let Some((factor, a_is_larger)) = unit_factor(&files[0].1.mesh, &files[1].1.mesh) {
         let [large, small] = if a_is_larger { paths } else { [paths[1], paths[0]] };
         printer.warning(format_args!(
             "{} is about {factor} times the size of {}; are they in the same unit?",

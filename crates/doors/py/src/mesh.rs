@@ -4,7 +4,7 @@ use crate::arrays::{array_of_rows, faces, vectors};
 use crate::errors::Raise;
 use crate::json::written;
 use numpy::PyArray2;
-use pompeiu::core::mesh::without_unreferenced;
+use pompeiu::core::mesh::{unit_factor, without_unreferenced};
 use pompeiu::core::{MeshSummary, TriMesh};
 use pompeiu::hausdorff::NamedFaces;
 use pyo3::prelude::*;
@@ -92,6 +92,11 @@ impl Mesh {
 
     fn _summary(&self, py: Python<'_>) -> PyResult<String> {
         written(&py.detach(|| MeshSummary::of(&self.0)))
+    }
+
+    /// See [`unit_factor`].
+    fn _unit_factor(&self, other: &Self) -> Option<(f64, bool)> {
+        unit_factor(&self.0, &other.0)
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

@@ -10,6 +10,7 @@ pub mod repair;
 pub mod shapes;
 pub mod topology;
 mod trimesh;
+mod unit_factor;
 
 pub use coordinates::{Coordinates, Grid, Precision, Rounding, TooCoarse};
 pub use data::{DataLengthError, ElementData, ElementId, FaceData, VertexData};
@@ -22,3 +23,4 @@ pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
 pub use topology::{Connectivity, MeshSummary, UnionFind, unreferenced_vertices};
 pub use trimesh::TriMesh;
+pub use unit_factor::unit_factor;
