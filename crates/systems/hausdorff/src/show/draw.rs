@@ -101,6 +101,16 @@ impl Grid {
         (0..=parts).flat_map(move |i| (0..=i).map(move |j| [f64::from(i - j) * step, f64::from(j) * step]))
     }
 
+    /// The distance at a place of a grid with other parts, if it is a place of this one.
+    fn at(&self, place: [u32; 2], parts: u32) -> Option<f64> {
+        let [i, j] = place.map(|k| k * self.parts);
+        if i % parts != 0 || j % parts != 0 {
+            return None;
+        }
+        let (i, j) = (i / parts, j / parts);
+        Some(self.distances[(i * (i + 1) / 2 + j) as usize])
+    }
+
     /// Adds the triangles of the grid. Points are exact where the number of parts is a power of two and corners are rounded, so that they
     /// lie on the edges of neighbours.
     fn push(&self, face: FaceId, corners: [[f64; 3]; 3], snap: &Snap, triangles: &mut Triangles) {
@@ -125,6 +135,36 @@ impl Grid {
 /// The point of a triangle with these weights of the second and the third corner.
 fn between([a, b, c]: [[f64; 3]; 3], [v, w]: [f64; 2]) -> [f64; 3] {
     [0, 1, 2].map(|k| a[k] + v * (b[k] - a[k]) + w * (c[k] - a[k]))
+}
+
+/// Into how many parts the edges of a face are cut of which the distance bends by so much: halving the parts quarters the bend of a smooth
+/// function.
+fn parts(bend: f64, tolerance: f64, first: u32) -> u32 {
+    if bend > tolerance {
+        ((bend / tolerance).sqrt().ceil() as u32).clamp(first, MOST_PARTS).next_power_of_two()
+    } else {
+        1
+    }
+}
+
+/// The tolerance, doubled until it takes no more triangles than there is room for: faces are drawn coarser everywhere, not some as wanted
+/// and others whole. It is not so far below the largest bend that no parts would do.
+fn within(tolerance: f64, room: usize, bends: &[f64], first: u32) -> f64 {
+    let largest = bends.iter().copied().fold(0.0, f64::max);
+    let mut tolerance = tolerance.max(largest / f64::from(MOST_PARTS * MOST_PARTS));
+    let more = |tolerance| {
+        bends.iter().map(|bend| parts(*bend, tolerance, first).pow(2) as usize - 1).sum::<usize>()
+    };
+    while more(tolerance) > room {
+        tolerance *= 2.0;
+    }
+    tolerance
+}
+
+/// The value at the corner with these weights, if they are those of a corner.
+fn at_corner(weights: [f64; 2], values: [f64; 3]) -> Option<f64> {
+    let corner = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].iter().position(|corner| *corner == weights)?;
+    Some(values[corner])
 }
 
 /// Measures distances at points of faces.
@@ -158,24 +198,19 @@ impl Sampler<'_> {
         let first = ((most / count) as f64).sqrt() as u32;
         let first = (1_u32 << (first.max(2).ilog2())).min(MOST_PARTS);
         let bends = sampler.each(&order, |face, near| sampler.bend(face, first, near));
-        let mut bent: Vec<(u32, f64)> = bends.into_iter().filter(|(_, bend)| *bend > tolerance).collect();
-        bent.sort_by(|x, y| y.1.total_cmp(&x.1).then(x.0.cmp(&y.0)));
-        let mut room = most.saturating_sub(count);
-        let mut chosen: Vec<(u32, u32)> = Vec::new();
-        for (face, bend) in bent {
-            // Halving the parts of an edge quarters the bend of a smooth function.
-            let wanted =
-                ((bend / tolerance).sqrt().ceil() as u32).clamp(first, MOST_PARTS).next_power_of_two();
-            let mut fitting = std::iter::successors(Some(wanted), |parts| (*parts > 2).then_some(parts / 2));
-            let Some(parts) = fitting.find(|parts| (parts * parts) as usize <= room + 1) else { break };
-            room -= (parts * parts) as usize - 1;
-            chosen.push((face, parts));
-        }
-        let parts_of: HashMap<u32, u32> = chosen.iter().copied().collect();
-        let ordered: Vec<u32> = order.into_iter().filter(|face| parts_of.contains_key(face)).collect();
+        let bent: Vec<(u32, (f64, Grid))> =
+            bends.into_iter().filter_map(|(face, found)| Some((face, found?))).collect();
+        let each: Vec<f64> = bent.iter().map(|(_, (bend, _))| *bend).collect();
+        let tolerance = within(tolerance, most - count, &each, first);
+        let chosen: HashMap<u32, (u32, Grid)> = bent
+            .into_iter()
+            .map(|(face, (bend, grid))| (face, (parts(bend, tolerance, first), grid)))
+            .filter(|(_, (parts, _))| *parts > 1)
+            .collect();
+        let ordered: Vec<u32> = order.into_iter().filter(|face| chosen.contains_key(face)).collect();
         let made = sampler.each(&ordered, |face, near| {
-            let parts = parts_of.get(&face).copied().unwrap_or(1);
-            sampler.grid(face, parts, near)
+            let (parts, before) = &chosen[&face];
+            sampler.grid(face, *parts, before, near)
         });
         for (face, grid) in made {
             grids[face as usize] = grid;
@@ -197,34 +232,40 @@ impl Sampler<'_> {
         self.mesh.faces()[face as usize].map(|v| self.found.vertices[v as usize])
     }
 
-    /// How far the distance is from linear at the points of a grid; zero where it is known to be nearly constant.
-    fn bend(&self, face: u32, parts: u32, near: &mut Near) -> f64 {
+    /// Distances at the points of a grid, if they are farther from linear than the tolerance, and how far; none where they are known to be
+    /// nearly constant.
+    fn bend(&self, face: u32, parts: u32, near: &mut Near) -> Option<(f64, Grid)> {
         let bounds = &self.found.faces[face as usize];
         if bounds.max.upper() - bounds.min.lower() <= self.tolerance || self.control.is_stopped() {
-            return 0.0;
+            return None;
         }
-        let [a, b, c] = self.at_corners(face);
+        let at_corners @ [a, b, c] = self.at_corners(face);
         let corners = self.mesh.corners(FaceId(face));
-        let mut bend = 0.0;
-        for [v, w] in Grid::weights(parts) {
-            if [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].contains(&[v, w]) {
-                continue;
-            }
-            let point = between(corners, [v, w]);
-            let distance =
-                if parts == 2 { self.amid(face, [v, w], point, near) } else { self.distance(point, near) };
-            let off = (distance - (a + v * (b - a) + w * (c - a))).abs();
-            bend = if off > bend { off } else { bend };
-        }
-        bend
+        let distance = |weights: [f64; 2]| {
+            at_corner(weights, at_corners).unwrap_or_else(|| {
+                let point = between(corners, weights);
+                if parts == 2 { self.amid(face, weights, point, near) } else { self.distance(point, near) }
+            })
+        };
+        let distances: Vec<f64> = Grid::weights(parts).map(distance).collect();
+        let off = |([v, w], distance): ([f64; 2], &f64)| (distance - (a + v * (b - a) + w * (c - a))).abs();
+        let bend = Grid::weights(parts)
+            .zip(&distances)
+            .map(off)
+            .fold(0.0, |most, off| if off > most { off } else { most });
+        (bend > self.tolerance).then_some((bend, Grid { parts, distances }))
     }
 
-    fn grid(&self, face: u32, parts: u32, near: &mut Near) -> Option<Grid> {
+    /// A grid with other parts; where it has the points of the one before, their distances are known.
+    fn grid(&self, face: u32, parts: u32, before: &Grid, near: &mut Near) -> Option<Grid> {
         if self.control.is_stopped() {
             return None;
         }
         let corners = self.mesh.corners(FaceId(face));
-        let distances = Grid::weights(parts).map(|weights| self.distance(between(corners, weights), near));
+        let places = (0..=parts).flat_map(|i| (0..=i).map(move |j| [i, j]));
+        let distances = Grid::weights(parts).zip(places).map(|(weights, place)| {
+            before.at(place, parts).unwrap_or_else(|| self.distance(between(corners, weights), near))
+        });
         Some(Grid { parts, distances: distances.collect() })
     }
 
@@ -275,6 +316,17 @@ mod tests {
     fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
         let [a, b, c] = [a, b, c].map(glam::DVec3::from_array);
         0.5 * (b - a).cross(c - a).length()
+    }
+
+    /// Where there is room for few triangles only, all faces are drawn coarser; and a tolerance of zero ends.
+    #[test]
+    fn what_there_is_no_room_for_is_drawn_coarser_everywhere() {
+        let bends = [1.0, 1.0, 0.9, 0.0];
+        assert_eq!(within(0.01, 10_000, &bends, 2), 0.01);
+        let coarser = within(0.01, 100, &bends, 2);
+        assert_eq!(bends.map(|bend| parts(bend, coarser, 2)), [4, 4, 4, 1]);
+        assert_eq!(within(0.0, 10_000_000, &bends, 2), 1.0 / 4096.0);
+        assert!(within(0.0, 2, &bends, 2) >= 1.0);
     }
 
     #[test]

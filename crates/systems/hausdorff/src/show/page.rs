@@ -85,6 +85,12 @@ const COLOR_TOLERANCE: f64 = 1.0 / 256.0;
 /// Triangles drawn of each mesh at most: pages stay below 5 MiB.
 const MOST_TRIANGLES: usize = 90_000;
 
+/// Triangles drawn of each mesh at most for each of its faces: pages cost a part of the analysis, which grows with the faces.
+const MOST_PER_FACE: usize = 4;
+
+/// Triangles that may always be drawn of a mesh: on few large faces distances bend, too.
+const MOST_OF_FEW: usize = 10_000;
+
 /// What of the area colours are told apart for, unless more is asked: few points that are far would leave all others in one colour.
 const COVERED: f64 = 0.99;
 
@@ -128,8 +134,8 @@ impl<'r> DeviationPage<'r> {
         let tolerance = whole.min(COVERED_TOLERANCE * self.extent());
         let side = |(path, found): (&'r str, &'r DirectedDeviation)| {
             let mesh = self.pair.measured(found.direction);
-            let mut drawing =
-                Drawing::new(found, self.pair, Style { tolerance, most: MOST_TRIANGLES }, limits);
+            let most = mesh.faces().len().saturating_mul(MOST_PER_FACE).clamp(MOST_OF_FEW, MOST_TRIANGLES);
+            let mut drawing = Drawing::new(found, self.pair, Style { tolerance, most }, limits);
             // Where B has more, points of A are inside of it.
             if found.sides.is_some() && self.bands.is_some() && found.direction == Direction::AToB {
                 for distance in drawing.triangles.distances.as_flattened_mut() {
