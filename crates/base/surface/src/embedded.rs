@@ -1,7 +1,7 @@
 //! Surfaces in space: frames and normals.
 
 use crate::plane::Vec2;
-use crate::surface::FlatFace;
+use crate::surface::{FlatFace, LEAST_HEIGHT};
 use crate::{GeometryError, Surface, SurfaceMesh};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::{FaceId, TriMesh};
@@ -37,17 +37,27 @@ impl EmbeddedSurface {
         let connectivity = SurfaceMesh::new(mesh)?;
         let flat = FlatFace { length: 0.0, apex: [0.0; 2] };
         let mut faces = FaceData::filled(mesh.faces().len(), flat);
-        let frames = FaceData::from_fn(mesh.faces().len(), |face| {
+        let frames = FaceData::try_from_fn(mesh.faces().len(), |face| {
             let [a, b, c] = mesh.corners(face);
             let (u, v) = (sub(b, a), sub(c, a));
             let length = dot(u, u).sqrt();
             let normal = cross(u, v);
             let twice_area = dot(normal, normal).sqrt();
+            if twice_area == 0.0 {
+                // There may be no first edge, and so no frame.
+                let lengths = [u, sub(c, b), v].map(|side| dot(side, side).sqrt());
+                return Err(GeometryError::DegenerateFace {
+                    face,
+                    lengths,
+                    height: 0.0,
+                    least: LEAST_HEIGHT,
+                });
+            }
             let first = u.map(|x| x / length);
             let normal = normal.map(|x| x / twice_area);
             faces[face] = FlatFace { length, apex: [dot(first, v), twice_area / length] };
-            [first, cross(normal, first), normal]
-        });
+            Ok([first, cross(normal, first), normal])
+        })?;
         let surface = Surface::from_flat_faces(connectivity, faces)?;
         let positions = VertexData::from_fn(mesh.positions().len(), |v| mesh.positions()[v.index()]);
         Ok(Self { surface, positions, frames })

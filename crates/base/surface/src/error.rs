@@ -96,9 +96,8 @@ pub enum GeometryError {
     Surface(#[from] SurfaceError),
     /// A face is so thin that its corners do not determine its height, or its edge lengths violate the triangle inequality.
     #[error(
-        "face {face} is degenerate: its edges are {:e}, {:e} and {:e} long and its height is {height:e} of the longest, \
-         expected at least {least:e}; `pompeiu repair` drops faces without area, `pompeiu remesh` makes better ones of thin ones",
-        lengths[0], lengths[1], lengths[2]
+        "face {face} is degenerate: {}; `pompeiu repair` drops faces without area, `pompeiu remesh` makes better ones of thin ones",
+        shape(*.lengths, *.height, *.least)
     )]
     DegenerateFace {
         /// The face.
@@ -132,4 +131,16 @@ pub enum GeometryError {
         /// How many edges there are.
         expected: usize,
     },
+}
+
+/// What is wrong with the shape of a face.
+fn shape(lengths: [f64; 3], height: f64, least: f64) -> String {
+    let [a, b, c] = lengths;
+    match lengths.iter().filter(|length| **length == 0.0).count() {
+        0 => format!(
+            "its edges are {a:e}, {b:e} and {c:e} long and its height is {height:e} of the longest, expected at least {least:e}"
+        ),
+        3 => "its corners are all at one position".to_owned(),
+        _ => "two of its corners are at one position".to_owned(),
+    }
 }

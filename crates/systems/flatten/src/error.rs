@@ -36,7 +36,10 @@ pub enum FlattenError {
         corners: usize,
     },
     /// The boundary has fewer vertices than the polygon has corners.
-    #[error("the boundary has {boundary} vertices, fewer than the {corners} corners of the polygon")]
+    #[error(
+        "the boundary has {boundary} vertices, fewer than the {corners} corners of the polygon; split its edges first, for instance with \
+         `pompeiu remesh --relative 0.1`, or choose circle or free"
+    )]
     FewVertices {
         /// Vertices of the boundary.
         boundary: usize,

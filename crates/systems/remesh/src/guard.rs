@@ -50,16 +50,27 @@ impl IntersectionCount {
 
 /// Faces of the result intersect, and that was to be refused.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "{} of the result intersect, the first near {place:?}; ask for shorter edges or a smaller distance, or let them be counted (intersections: \
-     report)",
-    pairs_of_faces(*.pairs)
-)]
+#[error("{} of the result intersect, the first near {place:?}; {}", pairs_of_faces(*.pairs), advice(*.touching))]
 pub struct Intersects {
     /// Number of pairs.
     pub pairs: usize,
     /// A point near one of them.
     pub place: [f64; 3],
+    /// Number of pairs of faces of the input that touch where each has a vertex of its own.
+    pub touching: usize,
+}
+
+/// What can be done, where so many pairs of faces of the input touch.
+fn advice(touching: usize) -> String {
+    if touching == 0 {
+        return "ask for shorter edges or a smaller distance, or let them be counted (intersections: report)"
+            .to_owned();
+    }
+    format!(
+        "of the input {} touch where each has a vertex of its own, as sheets do that were cut apart at a common edge: rounding new vertices there may \
+         make them intersect; let them be counted (intersections: report)",
+        pairs_of_faces(touching)
+    )
 }
 
 fn pairs_of_faces(pairs: usize) -> String {
@@ -87,14 +98,12 @@ impl Intersections {
             return Ok(None);
         }
         let found = self_intersections(mesh, MOST_PAIRS);
-        let is_refused = || match self {
-            Self::Refuse => true,
-            Self::RefuseNew => self_intersections(input, 1).pairs.is_empty(),
-            Self::Ignore | Self::Report => false,
-        };
-        match found.pairs.first() {
-            Some(first) if is_refused() => Err(Intersects { pairs: found.pairs.len(), place: first.place }),
-            _ => Ok(Some(IntersectionCount::of(&found))),
+        let count = IntersectionCount::of(&found);
+        let Some(first) = found.pairs.first().filter(|_| self.avoids()) else { return Ok(Some(count)) };
+        let before = self_intersections(input, 1);
+        if self == Self::RefuseNew && !before.pairs.is_empty() {
+            return Ok(Some(count));
         }
+        Err(Intersects { pairs: count.pairs, place: first.place, touching: before.touching })
     }
 }

@@ -64,6 +64,9 @@ impl<'o> RemeshOptions<'o> {
 
     /// Whether the options make sense for a mesh with this diagonal and number of vertices.
     pub(super) fn check(&self, diagonal: f64, vertices: usize) -> Result<(), RemeshError> {
+        if diagonal == 0.0 {
+            return Err(RemeshError::OnePosition);
+        }
         let length = |what, length| check_length(what, length, diagonal);
         match self.sizing {
             Sizing::Length(x) => {
@@ -146,6 +149,9 @@ pub enum RemeshError {
     /// More than one size is asked for.
     #[error("the size of faces is given in more than one way: edge_length, relative or adaptive; choose one")]
     SeveralSizes,
+    /// The mesh has no size.
+    #[error("all vertices of faces are at one position, so there is no surface to remesh")]
+    OnePosition,
     /// Edges would be longer than the mesh.
     #[error(
         "edges of length {length} are longer than the diagonal of the bounding box, {diagonal}; ask for less"

@@ -97,6 +97,22 @@ fn faces_without_a_shape_are_named() {
     assert!(matches!(error([0.5, 1e-13, 0.0]), GeometryError::DegenerateFace { .. }));
     assert!(matches!(error([0.0; 3]), GeometryError::DegenerateFace { .. }));
     assert!(matches!(error([0.0, 1e200, 0.0]), GeometryError::Scale { .. }));
+    let message = |corners: [[f64; 3]; 3]| {
+        EmbeddedSurface::new(&TriMesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap())
+            .unwrap_err()
+            .to_string()
+    };
+    let (p, q) = ([1.0; 3], [2.0; 3]);
+    let advice =
+        "; `pompeiu repair` drops faces without area, `pompeiu remesh` makes better ones of thin ones";
+    assert_eq!(
+        message([p, p, p]),
+        format!("face 0 is degenerate: its corners are all at one position{advice}")
+    );
+    for corners in [[p, p, q], [q, p, p], [p, q, p]] {
+        let expected = format!("face 0 is degenerate: two of its corners are at one position{advice}");
+        assert_eq!(message(corners), expected);
+    }
     assert!(EmbeddedSurface::new(&corner([0.5, 1e-9, 0.0])).is_ok());
 
     let mesh = SurfaceMesh::from_faces(3, &[[0, 1, 2]]).unwrap();

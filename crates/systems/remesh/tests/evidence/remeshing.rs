@@ -1,6 +1,7 @@
 //! Remeshed surfaces keep what they must, and have good triangles.
 
 use crate::operations::topology;
+use pompeiu_core::mesh::repair::{RepairOptions, repair};
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{Affine, Coordinates, MeshSummary, Precision, displace_at_random, merge, transform};
 use pompeiu_core::run::{Limits, StopReason};
@@ -294,6 +295,13 @@ fn the_same_bits_at_any_number_of_threads_and_scale() {
 }
 
 #[test]
+fn a_mesh_at_one_position_has_no_surface() {
+    let point = TriMesh::new(vec![[1.0; 3]; 3], vec![[0, 1, 2]]).unwrap();
+    let error = remesh(&point, &RemeshOptions::new(Sizing::Length(1.0))).unwrap_err();
+    assert_eq!(error, RemeshError::OnePosition);
+}
+
+#[test]
 fn what_cannot_be_asked_for() {
     let sphere = shapes::icosphere(1.0, 2).unwrap();
     let error = |length| remesh(&sphere, &RemeshOptions::new(Sizing::Length(length))).unwrap_err();
@@ -434,4 +442,23 @@ fn faces_that_intersect_are_refused_where_the_input_has_none() {
     let crossed = join(&transform(&inner, &Affine::translate([0.01, 0.0, 0.0])).unwrap());
     let counted = with(&crossed, Intersections::RefuseNew).unwrap().intersections.unwrap();
     assert!(counted.pairs > 0);
+}
+
+#[test]
+fn sheets_that_were_cut_apart_are_named_where_they_intersect() {
+    // Two bent boxes with a wall between them: three sheets at each of its edges.
+    let cube = shapes::cube(1.0, 5).unwrap();
+    let both = merge(&[&cube, &transform(&cube, &Affine::translate([1.0, 0.0, 0.0])).unwrap()]).unwrap();
+    let bent = both.positions().iter().map(|&[x, y, z]| {
+        [x + 0.15 * (3.0 * y + z).sin(), y + 0.1 * (2.0 * x + 2.0 * z).sin(), z + 0.1 * (3.0 * x * y).cos()]
+    });
+    let bent = TriMesh::new(bent.collect(), both.faces().to_vec()).unwrap();
+    let apart = repair(&bent, &RepairOptions::default()).unwrap().mesh;
+    let with = |intersections| {
+        remesh(&apart, &RemeshOptions { intersections, ..RemeshOptions::new(Sizing::Length(0.07)) })
+    };
+    assert!(with(Intersections::Report).unwrap().intersections.unwrap().pairs > 0);
+    let error = with(Intersections::RefuseNew).unwrap_err();
+    assert!(matches!(error, RemeshError::Intersects(found) if found.touching > 20), "{error:?}");
+    assert!(error.to_string().contains("cut apart at a common edge"), "{error}");
 }
