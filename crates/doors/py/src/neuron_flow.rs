@@ -226,7 +226,7 @@ impl NeuronFlow {
         let (identity, resume) = origin.resumed(&parameters)?;
         let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
             limits.cancel = Some(watch.token());
-            let cells = FlowCells::new(&self.flow, parts)?;
+            let cells = FlowCells::new(&self.flow, parts, &limits)?;
             let options = TransportOptions { limits, progress: Some(&*watch), resume: resume.as_ref() };
             let found = transport_in_flow(&cells, &parameters, frames, &options)?;
             Ok::<_, TransportError>((cells, found))

@@ -93,7 +93,9 @@ impl NeuronRequestError {
     /// The limit that ended a stage.
     pub(super) fn stop(&self) -> Option<StopReason> {
         match self {
-            Self::Mesh(MeshError::Stopped(stop)) | Self::Flow(FlowError::Stopped(stop)) => Some(*stop),
+            Self::Mesh(MeshError::Stopped(stop))
+            | Self::Flow(FlowError::Stopped(stop))
+            | Self::Transport(TransportError::Stopped(stop)) => Some(*stop),
             Self::Mesh(MeshError::Memory { .. })
             | Self::Flow(FlowError::Memory { .. })
             | Self::Transport(TransportError::Memory { .. }) => Some(StopReason::Memory),

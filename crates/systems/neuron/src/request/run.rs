@@ -158,7 +158,8 @@ impl Run<'_, '_> {
             }
             Stage::All => {
                 let Some(flow) = self.flow(&source)? else { return Ok(()) };
-                let cells = MaterialCells::Flow(FlowCells::new(&flow, self.request.parts)?);
+                let cells =
+                    MaterialCells::Flow(FlowCells::new(&flow, self.request.parts, &self.context.limits())?);
                 self.transport(cells)
             }
         }

@@ -1,5 +1,7 @@
 //! Errors of transport.
 
+use crate::mesh::ended_by;
+use pompeiu_core::run::StopReason;
 use pompeiu_solve::SolveError;
 use pompeiu_volume::VolumeError;
 
@@ -80,6 +82,9 @@ pub enum TransportError {
         /// The limit in MiB.
         limit: usize,
     },
+    /// The computation was stopped before the first step.
+    #[error("ended by {} before the transport began", ended_by(*.0))]
+    Stopped(StopReason),
     /// A linear system cannot be solved.
     #[error("a linear system of the transport cannot be solved: {0}")]
     Solve(#[from] SolveError),

@@ -2,7 +2,9 @@
 
 use super::discretisation::Discretisation;
 use super::error::TransportError;
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use super::factor::cholesky;
+use pompeiu_core::run::Control;
+use pompeiu_solve::{LinearSolver, SparseMatrix};
 
 /// Fluxes through faces, in µm³/s for a mean speed of 1 µm/s at the inlet; they balance in each cell.
 #[derive(Clone, Debug)]
@@ -15,13 +17,24 @@ pub struct FlowField {
     pub imbalance: f64,
 }
 
+impl FlowField {
+    /// No flux at all.
+    pub(super) fn at_rest(mesh: &Discretisation) -> Self {
+        Self { through: vec![0.0; mesh.links.len()], out: vec![0.0; mesh.ends.len()], imbalance: 0.0 }
+    }
+}
+
 /// Potential flow: unit speed at the inlet, the same potential at all tips, nothing through the wall.
 ///
 /// # Definition
 /// Fluxes are conductances times differences of the potential, whose sum over the faces of each cell vanishes.
 /// # Errors
-/// [`TransportError::NoOutlet`], [`TransportError::Solve`].
-pub fn potential_flow(mesh: &Discretisation, inlet: u32) -> Result<FlowField, TransportError> {
+/// [`TransportError::NoOutlet`], [`TransportError::Solve`], [`TransportError::Stopped`].
+pub fn potential_flow(
+    mesh: &Discretisation,
+    inlet: u32,
+    control: &Control,
+) -> Result<FlowField, TransportError> {
     let n = mesh.volumes.len();
     let mut entries = Vec::with_capacity(4 * mesh.links.len() + mesh.ends.len());
     for &([a, b], conductance) in &mesh.links {
@@ -49,8 +62,7 @@ pub fn potential_flow(mesh: &Discretisation, inlet: u32) -> Result<FlowField, Tr
     if !has_outlet {
         return Err(TransportError::NoOutlet);
     }
-    let matrix = SparseMatrix::from_triplets(n, n, &entries)?;
-    let solver = Cholesky::new(&matrix)?;
+    let (solver, matrix) = cholesky(SparseMatrix::from_triplets(n, n, &entries)?, control)?;
     let mut potential = solver.solve(&right)?;
     // One step of iterative refinement: fluxes are differences of large numbers in a long tree.
     let rest: Vec<f64> = matrix.multiply(&potential).iter().zip(&right).map(|(a, b)| b - a).collect();

@@ -7,6 +7,7 @@
 mod config;
 mod discretisation;
 mod error;
+mod factor;
 mod flow;
 mod parts;
 mod problem;

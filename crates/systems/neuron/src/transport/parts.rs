@@ -50,7 +50,7 @@ mod tests {
     use super::super::flow::potential_flow;
     use super::super::system::System;
     use crate::{Discretisation, Parameters};
-    use pompeiu_core::run::on_threads;
+    use pompeiu_core::run::{Control, on_threads};
     use pompeiu_volume::{Faces, HexMesh, partition};
     use std::num::NonZeroUsize;
 
@@ -69,7 +69,7 @@ mod tests {
             on_threads(NonZeroUsize::new(threads), || {
                 let dealt = partition(mesh.cells().len(), &faces, parts);
                 let volumes = Discretisation::dealt(&mesh, &faces, &labels, dealt);
-                let flow = potential_flow(&volumes, 0).unwrap();
+                let flow = potential_flow(&volumes, 0, &Control::default()).unwrap();
                 let system = System { mesh: &volumes, flow: &flow, parameters: &parameters, inlet: 0 };
                 let entries: Vec<(usize, usize, u64)> =
                     system.matrix(3.0).unwrap().iter().map(|(i, j, x)| (i, j, x.to_bits())).collect();

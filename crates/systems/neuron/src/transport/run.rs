@@ -2,7 +2,7 @@
 
 use super::discretisation::Discretisation;
 use super::error::TransportError;
-use super::flow::potential_flow;
+use super::flow::{FlowField, potential_flow};
 use super::problem::{Parameters, TimeScheme, TransportOptions};
 use super::state::{Frame, MassBalance, TransportState};
 use super::step::Stepper;
@@ -92,7 +92,11 @@ pub fn transport(
     check_memory(mesh.mesh.cells().len(), parameters, options)?;
     let control = Control::start(&options.limits);
     let volumes = Discretisation::new(&mesh.mesh, &mesh.faces, &mesh.labels);
-    let flow = potential_flow(&volumes, inlet)?;
+    let flow = match potential_flow(&volumes, inlet, &control) {
+        // No step is made then.
+        Err(TransportError::Stopped(_)) => FlowField::at_rest(&volumes),
+        found => found?,
+    };
     let system = System { mesh: &volumes, flow: &flow, parameters, inlet };
     run(&system, &mesh.caps, frames, options, &control)
 }

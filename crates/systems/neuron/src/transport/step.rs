@@ -1,9 +1,10 @@
 //! A time step: of first order, or of second order where no concentration becomes negative.
 
 use super::error::TransportError;
+use super::factor::lu;
 use super::problem::TimeScheme;
 use super::system::System;
-use pompeiu_core::run::{Control, unless_stopped};
+use pompeiu_core::run::Control;
 use pompeiu_solve::{LinearSolver, Lu};
 
 /// γ of the two stages: 1 − 1/√2.
@@ -97,10 +98,9 @@ impl<'s> Stepper<'s> {
     }
 }
 
-/// The factors of the matrix for a rate, which take the longest; `None` where the control stops first.
+/// The factors of the matrix for a rate; `None` where the control stops first.
 fn factored(system: &System<'_>, rate: f64, control: &Control) -> Result<Option<Lu>, TransportError> {
-    let matrix = system.matrix(rate)?;
-    Ok(unless_stopped(control, move || Lu::new(&matrix)).transpose()?)
+    lu(system.matrix(rate)?, control)
 }
 
 /// The first-order step plus as much of the difference to second-order fluxes as keeps concentrations nonnegative: Zalesak's

@@ -2,13 +2,15 @@
 
 use super::discretisation::{Discretisation, EndFace};
 use super::error::TransportError;
+use super::factor::{cholesky, go_on};
 use super::flow::FlowField;
 use super::parts::{by_parts, deal, labels_of_parts};
 use crate::mesh::{concentrations, cubic_vtu, linear_share};
 use crate::{Cap, Flow};
 use glam::DVec3;
 use pompeiu_core::mesh::UnionFind;
-use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
+use pompeiu_core::run::{Control, Limits};
+use pompeiu_solve::{LinearSolver, SparseMatrix};
 use pompeiu_volume::bernstein::value;
 use pompeiu_volume::{BezierMesh, FACE_AXES, Faces, InnerFace, bezier_volume, face_flux, face_points};
 
@@ -31,24 +33,29 @@ impl FlowCells {
     /// subdivided cells only up to what the pressure resolves; the least change of fluxes, weighted by conductances, corrects the
     /// rest.
     /// # Errors
-    /// [`TransportError::Parameter`] for invalid `parts`, or if there is no flow through the inlet; [`TransportError::Solve`].
-    pub fn new(flow: &Flow, parts: usize) -> Result<Self, TransportError> {
+    /// [`TransportError::Parameter`] for invalid `parts`, or if there is no flow through the inlet; [`TransportError::Solve`];
+    /// [`TransportError::Stopped`] if a limit on time or cancellation ends it.
+    pub fn new(flow: &Flow, parts: usize, limits: &Limits) -> Result<Self, TransportError> {
+        let control = Control::start(limits);
         if !(1..=8).contains(&parts) {
             let value = parts as f64;
             return Err(TransportError::Parameter { what: "the number of parts", value, expected: "1 to 8" });
         }
         let (mesh, mut fields) = flow.mesh.subdivided(parts, &[&flow.velocity])?;
         let velocity = fields.pop().unwrap_or_default();
+        go_on(&control)?;
         let faces = Faces::new(&mesh.corner_mesh()?)?;
         let labels = labels_of_parts(&flow.faces, &flow.labels, &faces, parts);
         // Subdivided cells stay in the part of their cell.
         let dealt = deal(flow.mesh.cells().len(), parts.pow(3), &flow.faces);
         let dealt: Vec<u32> =
             dealt.into_iter().flat_map(|part| std::iter::repeat_n(part, parts.pow(3))).collect();
+        go_on(&control)?;
         let cells: Vec<(f64, DVec3)> = by_parts(dealt.iter().copied(), |cell| {
             let points = mesh.control(cell);
             (bezier_volume(&points), value(&points, [0.5; 3]))
         });
+        go_on(&control)?;
         // The centre of a face, its area, and the outflow there.
         let face = |cell: u32, place: u8| {
             let points = mesh.control(cell as usize);
@@ -69,6 +76,7 @@ impl FlowCells {
             let [a, b] = inner.cells.map(|cell| half(cell, centre, area));
             ((inner.cells, a * b / (a + b)), flux)
         });
+        go_on(&control)?;
         let ends: Vec<(EndFace, f64)> = faces
             .boundary()
             .iter()
@@ -84,7 +92,7 @@ impl FlowCells {
         let (ends, out): (Vec<EndFace>, Vec<f64>) = ends.into_iter().unzip();
         let volumes =
             Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends, parts: dealt };
-        let field = balanced(&volumes, through, out, flow.inlet)?;
+        let field = balanced(&volumes, through, out, flow.inlet, &control)?;
         Ok(Self { mesh, faces, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet })
     }
 
@@ -135,6 +143,7 @@ fn balanced(
     mut through: Vec<f64>,
     mut out: Vec<f64>,
     inlet: u32,
+    control: &Control,
 ) -> Result<FlowField, TransportError> {
     let at_inlet = mesh.ends.iter().zip(&out).filter(|(end, _)| end.cap == inlet);
     let (area, entering) = at_inlet.fold((0.0, 0.0), |(a, q), (end, out)| (a + end.area, q - out));
@@ -170,7 +179,7 @@ fn balanced(
         joined.union(a as usize, b as usize);
     }
     entries.extend((0..n).filter(|&k| joined.find(k) == k).map(|k| (k, k, 1.0)));
-    let solver = Cholesky::new(&SparseMatrix::from_triplets(n, n, &entries)?)?;
+    let (solver, _) = cholesky(SparseMatrix::from_triplets(n, n, &entries)?, control)?;
     // The second pass removes the rounding errors of the first.
     for _ in 0..2 {
         let mut potential: Vec<f64> = net(&through).iter().map(|x| -x).collect();

@@ -248,7 +248,7 @@ fn transport_along_a_viscous_flow_keeps_mass_and_bounds() {
     assert_eq!(parameters.flow.pressures, [(4, 0.01)]);
     assert!(read_transport_config("[flow]\nspeed = \"1 um/s\"\npressure = \"1 Pa\"\n").is_err());
     let found = flow(&FORKED, &parameters.flow);
-    let cells = FlowCells::new(&found, 2).unwrap();
+    let cells = FlowCells::new(&found, 2, &Limits::default()).unwrap();
     let moved = transport_in_flow(&cells, &parameters, 3, &TransportOptions::default()).unwrap();
     assert_eq!((moved.report.steps, moved.report.tips.len()), (20, 2));
     assert!(moved.report.mass_balance < 1e-10 && moved.report.minimum >= -1e-10, "{:?}", moved.report);

@@ -86,7 +86,7 @@ fn flow_through_a_square_duct_is_that_of_the_series() {
     let expected = 0.035_144_25 / (1e-3 * 3.0);
     assert!((flow.ends[1].flux / expected - 1.0).abs() < 6e-4, "{} {expected}", flow.ends[1].flux);
     assert!(flow.report.section_flux_drift < 1e-10 && flow.report.wall_leak < 1e-14);
-    let cells = FlowCells::new(&flow, 1).unwrap();
+    let cells = FlowCells::new(&flow, 1, &Limits::default()).unwrap();
     let parameters = Parameters { steps: 5, ..Parameters::default() };
     let found = transport_in_flow(&cells, &parameters, 2, &TransportOptions::default()).unwrap();
     assert!(found.report.mass_balance < 1e-12);

@@ -1,12 +1,13 @@
 //! Stages that are ended early: immediately, and during the computation.
 
 use crate::flows::{FORK, FORKED};
-use pompeiu_core::run::{CancelToken, Limits, Progress, StopReason};
+use pompeiu_core::run::{CancelToken, Control, Limits, Progress, StopReason};
 use pompeiu_neuron::{
-    CubicMesh, Ends, FlowError, FlowOptions, FlowParameters, MeshError, MeshOptions, NeuronMesh, RefineAt,
-    RefineOptions, Skeleton, cubic_neuron, mesh_neuron, neuron_flow, read_swc, refined_splines,
+    CubicMesh, Discretisation, Ends, FlowCells, FlowError, FlowOptions, FlowParameters, MeshError,
+    MeshOptions, NeuronMesh, RefineAt, RefineOptions, Skeleton, TransportError, cubic_neuron, mesh_neuron,
+    neuron_flow, potential_flow, read_swc, refined_splines,
 };
-use pompeiu_volume::HexMesh;
+use pompeiu_volume::{Faces, HexMesh};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -77,6 +78,26 @@ fn stages_end_wherever_they_are() {
             assert_eq!(error, FlowError::Stopped(StopReason::Cancelled));
         }
     });
+    let flow = neuron_flow(mesh, &FlowParameters::default(), &FlowOptions::default()).unwrap();
+    cancelled(&|limits| {
+        if let Err(error) = FlowCells::new(&flow, 8, limits) {
+            assert_eq!(error, TransportError::Stopped(StopReason::Cancelled));
+        }
+    });
+    let now = Limits { time: Some(Duration::ZERO), ..Limits::default() };
+    assert_eq!(FlowCells::new(&flow, 1, &now).unwrap_err(), TransportError::Stopped(StopReason::Time));
+}
+
+#[test]
+fn a_factorization_does_not_outlast_a_limit() {
+    // The factors of so many cells take long beside the interval in which a limit is noticed.
+    let mesh = HexMesh::grid([24; 3], [1.0; 3]);
+    let faces = Faces::new(&mesh).unwrap();
+    let ends =
+        faces.boundary().iter().map(|face| u32::from(face.place / 2 == 0) * (1 + u32::from(face.place)));
+    let volumes = Discretisation::new(&mesh, &faces, &ends.collect::<Vec<_>>());
+    let control = Control::start(&Limits { time: Some(Duration::ZERO), ..Limits::default() });
+    assert_eq!(potential_flow(&volumes, 0, &control).unwrap_err(), TransportError::Stopped(StopReason::Time));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Transport: closed forms, mass balance, bounds, exchange, configurations, rejected input.
 
-use pompeiu_core::run::{Limits, StopReason};
+use pompeiu_core::run::{Control, Limits, StopReason};
 use pompeiu_neuron::{
     Discretisation, MeshOptions, NeuronMesh, Parameters, Skeleton, Transport, TransportError,
     TransportOptions, mesh_neuron, potential_flow, read_swc, read_transport_config, transport,
@@ -174,7 +174,7 @@ fn mass_is_kept_through_a_furcation_in_both_directions() {
 fn the_flow_is_the_same_through_every_section_and_splits_at_furcations() {
     let mesh = &*FORKED;
     let volumes = Discretisation::new(&mesh.mesh, &mesh.faces, &mesh.labels);
-    let flow = potential_flow(&volumes, 0).unwrap();
+    let flow = potential_flow(&volumes, 0, &Control::default()).unwrap();
     assert!(flow.imbalance < 1e-12, "{:e}", flow.imbalance);
     let through = |cap: u32| -> f64 {
         volumes.ends.iter().zip(&flow.out).filter(|(end, _)| end.cap == cap).map(|(_, q)| q).sum()
