@@ -141,6 +141,9 @@ class NeuronHexahedra:
     ]: ...
 
 class NeuronSkeleton:
+    def check(
+        self, meshing: _Options, progress: Optional[Callable[[float], Optional[bool]]]
+    ) -> tuple[Optional[bool], str]: ...
     def mesh(
         self, meshing: _Options, progress: Optional[Callable[[float], Optional[bool]]]
     ) -> tuple[

@@ -23,6 +23,7 @@ __all__ = [
     "NeuronSplines",
     "NeuronTransport",
     "Skeleton",
+    "SkeletonCheck",
     "neuron",
     "read_neuron_mesh",
     "read_skeleton",
@@ -482,6 +483,26 @@ def _meshing(
     }
 
 
+def _trilinear(
+    parts: int,
+    layer: float,
+    within: float,
+    threads: Optional[int],
+    time_limit: Optional[float],
+    memory_limit: Optional[int],
+) -> Dict[str, Any]:
+    if parts < 1:
+        raise OptionError(f"the number of parts of a block is {parts}; expected 1 to 8")
+    return {
+        "parts": int(parts),
+        "layer": float(layer),
+        "within": float(within),
+        "threads": threads,
+        "time_limit": time_limit,
+        "memory_limit": memory_limit,
+    }
+
+
 def _splines(
     source: Any,
     meshing: Dict[str, Any],
@@ -515,6 +536,23 @@ def _flow_of(parts: Any, origin: _Origin) -> NeuronFlow:
     return NeuronFlow(*found, samples, ends[:, 0], ends[:, 1], vtu, report, native, origin)
 
 
+@dataclass(frozen=True)
+class SkeletonCheck:
+    """Whether a neuron can be meshed.
+
+    Attributes
+    ----------
+    meshable : bool, optional
+        Whether every cell of a mesh is proven valid and its wall proven to be within the tolerated distance of the cones; ``None`` if
+        that is not decided.
+    problems : list of dict
+        What the mesh cannot do, each with its ``kind``, ``sample``, ``line`` and ``message``; empty unless ``meshable`` is ``False``.
+    """
+
+    meshable: Optional[bool]
+    problems: List[Dict[str, Any]]
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Skeleton:
     """The skeleton of a neuron: balls, each with its parent before it. Lengths are in micrometres.
@@ -534,7 +572,7 @@ class Skeleton:
     swc : str
         The skeleton as an SWC file.
     report : dict
-        What ``pompeiu neuron check --json`` says of it under ``skeleton``.
+        What ``pompeiu neuron mesh --json`` says of it under ``skeleton``.
     """
 
     ids: np.ndarray
@@ -549,8 +587,41 @@ class Skeleton:
 
     @property
     def problems(self) -> List[Dict[str, Any]]:
-        """What a mesh of it would suffer from, each with its ``kind``, ``branch``, ``sample``, ``line`` and ``message``."""
+        """Defects of the file and of its shape, each with its ``kind``, ``branch``, ``sample``, ``line`` and ``message``."""
         return self.report["problems"]
+
+    def check(
+        self,
+        *,
+        parts: int = 2,
+        layer: float = 2.0,
+        within: float = 0.2,
+        threads: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        memory_limit: Optional[int] = None,
+        progress: Optional[Callable[[float], Optional[bool]]] = None,
+    ) -> "SkeletonCheck":
+        """Finds out whether :meth:`mesh` can mesh the neuron with the same options, and where and why it cannot. It takes as long.
+
+        Parameters
+        ----------
+        parts, layer, within, threads, time_limit, memory_limit, progress
+            As for :meth:`mesh`.
+
+        Raises
+        ------
+        OptionError
+            If an option makes no sense, or a limit ends it.
+
+        Examples
+        --------
+        >>> import pompeiu
+        >>> pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n").check().meshable
+        True
+        """
+        meshing = _trilinear(parts, layer, within, threads, time_limit, memory_limit)
+        meshable, problems = self._skeleton.check(meshing, progress)
+        return SkeletonCheck(meshable, json.loads(problems))
 
     def mesh(
         self,
@@ -589,16 +660,7 @@ class Skeleton:
         >>> pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\\n2 2 8 0 0 1 1\\n").mesh(parts=1)
         NeuronMesh(40 vertices, 20 hexahedra, certified)
         """
-        if parts < 1:
-            raise OptionError(f"the number of parts of a block is {parts}; expected 1 to 8")
-        meshing = {
-            "parts": int(parts),
-            "layer": float(layer),
-            "within": float(within),
-            "threads": threads,
-            "time_limit": time_limit,
-            "memory_limit": memory_limit,
-        }
+        meshing = _trilinear(parts, layer, within, threads, time_limit, memory_limit)
         native, *found, report = self._skeleton.mesh(meshing, progress)
         return NeuronMesh(*found, json.loads(report), native, replace(self._origin, layer=float(layer)), int(parts))
 
@@ -830,10 +892,11 @@ def neuron(
         A skeleton (SWC) or what is in one, or a hexahedral mesh (``.vtk``, ``.vtu``).
     stage : str
         The last stage; the command also takes its name before the file. ``"check"``: the skeleton is read, and what is
-        wrong with it is reported; ``"mesh"``: the neuron is filled with trilinear cells; ``"spline"``: the neuron is
-        filled with tricubic cells, and the splines over them are counted; ``"flow"``: tricubic cells, and the steady
-        viscous flow through them; ``"transport"``: trilinear cells, and transport through them along the potential
-        flow; ``"all"``: tricubic cells, the viscous flow, and transport along it.
+        wrong with it and what the stage mesh cannot do is reported; it takes as long as that; ``"mesh"``: the neuron is
+        filled with trilinear cells; ``"spline"``: the neuron is filled with tricubic cells, and the splines over them
+        are counted; ``"flow"``: tricubic cells, and the steady viscous flow through them; ``"transport"``: trilinear
+        cells, and transport through them along the potential flow; ``"all"``: tricubic cells, the viscous flow, and
+        transport along it.
     repair : bool
         Repair what can be repaired: missing parents, cycles, missing radii, coincident samples, branches within the
         ball of their node; each repair is reported.

@@ -148,7 +148,8 @@ def test_splines_are_refined_where_they_are_asked_to_be(tmp_path):
     assert [level["elements"] for level in report["levels"]] == list(np.bincount(levels))
     assert report["partition_of_unity_error"] <= 1e-14 and (0.125**levels).sum() == 25 * 8
     # Polygons of twelve sides in circles.
-    assert abs(splines.report["mesh"]["linear_share"] - 0.955) < 1e-3
+    # The section is a polygon of twelve sides.
+    assert all(abs(splines.report["mesh"]["linear"][of] - 0.955) < 1e-3 for of in ("volume", "area"))
     starts, functions, coefficients = splines.extraction()
     assert len(starts) == len(splines.elements) + 1 and functions.max() == report["functions"] - 1
     sums = np.add.reduceat(coefficients, starts[:-1])
@@ -224,6 +225,17 @@ def test_a_run_goes_on_from_a_checkpoint_and_has_a_page(tmp_path):
         pickle.loads(pickle.dumps(whole)).save_html(tmp_path / "run.html")
 
 
+def test_a_check_says_what_a_mesh_cannot_do():
+    back = pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n")
+    found = back.check()
+    assert found.meshable is False and not back.mesh().within
+    assert [(p["kind"], p["line"]) for p in found.problems] == [("sharp_turn", 2)]
+    rod = pompeiu.read_skeleton(TUBE)
+    assert rod.check(within=0.3) == pompeiu.SkeletonCheck(True, []) and rod.mesh(within=0.3).within
+    once = pompeiu.neuron(b"1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n", stage="check")
+    assert once.report["meshable"] is True and once.skeleton.problems == []
+
+
 def test_stages_end_when_they_are_told_to():
     skeleton = pompeiu.read_skeleton(Y, repair=True)
     for stage in (skeleton.mesh, skeleton.splines, skeleton.flow):
@@ -261,7 +273,7 @@ def test_all_stages_in_one_call(tmp_path):
     limited = pompeiu.neuron(rod, stage="transport", time_limit=0)
     assert limited.stop == "time" and limited.transport is None and limited.skeleton is not None
     for options, words in [
-        ({"stage": "check", "parts": 3}, "parts is not for the stage check"),
+        ({"stage": "check", "frames": 3}, "frames is not for the stage check"),
         ({"transport": {"diffusoin": "1 um^2/s"}}, "there is no key \"diffusoin\""),
         ({"parameters": "run.toml", "flow": {}}, "from a file or from tables"),
         ({"elements": 9}, "elements is 9; expected 1 to 4"),

@@ -12,8 +12,8 @@ use pompeiu::core::run::Limits;
 use pompeiu::neuron::{
     Ends, MaterialCells, MeshError, MeshOptions, NeuronAnswer, NeuronMesh, NeuronRequest, NeuronRequestError,
     NeuronSource, Preparation, Side, Skeleton, SkeletonReport, SmoothOptions, SplineReport, SwcError, SwcRow,
-    TransportOptions, Transported, WallDistance, mesh_neuron, prepare, read_transport_config, refined_vtu,
-    transport, write_swc,
+    TransportOptions, Transported, WallDistance, mesh_neuron, meshability, prepare, read_transport_config,
+    refined_vtu, transport, write_swc,
 };
 use pompeiu::volume::HexMesh;
 use pyo3::prelude::*;
@@ -103,6 +103,23 @@ impl NeuronSkeleton {
             mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), reference, ..options })
         })?;
         mesh_parts(py, found.map_err(Raise::raise)?)
+    }
+
+    /// Whether there is a mesh as asked, and where and why not.
+    fn check(
+        &self,
+        py: Python<'_>,
+        meshing: Meshing,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<(Option<bool>, String)> {
+        let mut options = meshing.options()?;
+        let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+            options.limits.cancel = Some(watch.token());
+            let reference = self.1.as_ref();
+            meshability(&self.0, &MeshOptions { progress: Some(&*watch), reference, ..options })
+        })?;
+        let found = found.map_err(Raise::raise)?;
+        Ok((found.meshable, written(&found.problems)?))
     }
 
     /// Fills the neuron with tricubic cells, each cut into this many spline elements along each edge, which are halved in some places.

@@ -1,8 +1,8 @@
 //! Cells that carry material.
 
 use crate::{
-    Cap, FlowCells, Frame, MeshError, NeuronMesh, Parameters, Transport, TransportError, TransportOptions,
-    transport, transport_in_flow,
+    Cap, FlowCells, Frame, NeuronMesh, Parameters, Transport, TransportError, TransportOptions, transport,
+    transport_in_flow,
 };
 
 /// Cells that carry material: trilinear ones, in which motors follow the potential flow, or those of a viscous flow.
@@ -47,17 +47,6 @@ impl MaterialCells {
         match self {
             Self::Hexahedra(mesh) => mesh.vtu_with(&frame.values),
             Self::Flow(cells) => cells.vtu(&frame.values, linear),
-        }
-    }
-
-    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the cells.
-    ///
-    /// # Errors
-    /// [`MeshError::Volume`](crate::MeshError::Volume) if they would be too many.
-    pub fn linear_share(&self) -> Result<f64, MeshError> {
-        match self {
-            Self::Hexahedra(_) => Ok(1.0),
-            Self::Flow(cells) => cells.linear_share(),
         }
     }
 

@@ -8,6 +8,7 @@
 //! | [`read_swc`], [`write_swc`], [`SwcRow`] | the file, in all its dialects |
 //! | [`Skeleton`], [`Sample`], [`Soma`], [`Repair`] | the tree, and repairs of it |
 //! | [`problems`], [`Problem`] | defects that would harm a mesh, with their places |
+//! | [`meshability`], [`Meshability`] | whether there is a mesh as asked, and where and why not |
 //! | [`smooth`], [`SkeletonDeviation`] | smoothing and resampling, with the deviation from the input |
 //! | [`mesh_neuron`], [`MeshOptions`], [`NeuronMesh`] | a conforming hexahedral mesh, every cell proven unfolded |
 //! | [`cubic_neuron`], [`CubicMesh`], [`SplineReport`] | the same with tricubic cells, and splines over them |
@@ -66,11 +67,11 @@ pub use flow::{
     NEWTON_TOLERANCE, neuron_flow,
 };
 pub use mesh::{
-    BeyondSample, Cap, CubicMesh, DirectedDistance, Ends, MeshError, MeshOptions, MeshReport, NeuronMesh,
-    Side, UnprovenCell, WallDistance, cubic_neuron, mesh_neuron,
+    BeyondSample, Cap, CubicMesh, DirectedDistance, Ends, FoldedNode, LinearShares, MeshError, MeshOptions,
+    MeshReport, NeuronMesh, Side, UnprovenCell, WallDistance, cubic_neuron, mesh_neuron,
 };
 pub use prepare::{Preparation, PreparedSkeleton, prepare};
-pub use problems::{MOST_TURN, Problem, ProblemKind, problems};
+pub use problems::{MOST_TURN, Meshability, Problem, ProblemKind, meshability, problems};
 pub use refine::{RefineAt, RefineOptions, refined_splines, refined_vtu};
 pub use report::{NeuronReport, SkeletonReport, Timing};
 #[cfg(feature = "serde")]

@@ -56,6 +56,10 @@ pub struct NeuronReport {
     /// The mesh.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub mesh: Option<MeshReport>,
+    /// Of the stage check: whether every cell of a mesh is proven valid and its wall proven to be as near to the cones as is tolerated; omitted if
+    /// that is not decided.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub meshable: Option<bool>,
     /// Splines over the mesh.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub spline: Option<SplineReport>,
@@ -74,7 +78,7 @@ pub struct NeuronReport {
     /// The reason for which the computation ended.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub stop: StopReason,
-    /// Whether only the skeleton was to be checked: then its problems refute that it is sound.
+    /// Whether only the skeleton was to be checked: then problems refute that it can be meshed.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub is_check: bool,
     /// Wall-clock time of each stage that ran.
@@ -87,6 +91,7 @@ impl Default for NeuronReport {
         Self {
             skeleton: None,
             mesh: None,
+            meshable: None,
             spline: None,
             flow: None,
             transport: None,

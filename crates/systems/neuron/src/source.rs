@@ -1,8 +1,8 @@
 //! What is worked on: a skeleton, or a hexahedral mesh that was made elsewhere.
 
 use crate::{
-    CubicMesh, Ends, MeshError, MeshOptions, NeuronMesh, Preparation, PreparedSkeleton, Side, Skeleton,
-    SkeletonReport, SwcError, cubic_neuron, mesh_neuron, prepare,
+    CubicMesh, Ends, MeshError, MeshOptions, Meshability, NeuronMesh, Preparation, PreparedSkeleton, Side,
+    Skeleton, SkeletonReport, SwcError, cubic_neuron, mesh_neuron, meshability, prepare,
 };
 use pompeiu_volume::HexMesh;
 
@@ -73,6 +73,14 @@ impl Prepared {
         match self {
             Self::Skeleton(prepared) => prepared.skeleton.samples().len(),
             Self::Mesh(mesh, _) => mesh.positions().len(),
+        }
+    }
+
+    /// Whether trilinear cells can be made; a mesh has them.
+    pub(crate) fn meshability(&self, options: &MeshOptions<'_>) -> Result<Meshability, MeshError> {
+        match self {
+            Self::Skeleton(prepared) => meshability(&prepared.skeleton, &prepared.against_file(options)),
+            Self::Mesh(..) => Ok(Meshability { meshable: Some(true), problems: Vec::new() }),
         }
     }
 

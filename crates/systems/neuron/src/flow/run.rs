@@ -4,7 +4,7 @@ use super::element::{Cell, PRESSURES, Tables};
 use super::error::FlowError;
 use super::problem::{Drive, FlowOptions, FlowParameters};
 use super::system::FlowSystem;
-use crate::mesh::{LINEAR_PARTS, cubic_vtu, linear_share};
+use crate::mesh::{LINEAR_PARTS, Labelled, LinearShares, cubic_vtu, linear_shares};
 use crate::transport::labels_of_parts;
 use crate::{Cap, CubicMesh};
 use glam::DVec3;
@@ -67,6 +67,8 @@ pub struct FlowReport {
     pub section_flux_drift: f64,
     /// Mean pressure at the inlet minus the mean over all other ends, in Pa.
     pub pressure_drop: f64,
+    /// What the trilinear cells keep that stand for tricubic ones in files, three along each edge of an element.
+    pub linear: LinearShares,
 }
 
 /// Largest memory for factors if no limit is given, in bytes.
@@ -172,6 +174,8 @@ fn solve(
     let found = system.solve(options.limits.memory.unwrap_or(MOST_BYTES), &control, &mut step)?;
     let scaled: Vec<[f64; PRESSURES]> =
         found.pressure.iter().map(|p| p.map(|x| x * parameters.viscosity)).collect();
+    let boundary = Labelled { faces: &faces, labels: &labels };
+    let linear = linear_shares(&cells, boundary, LINEAR_PARTS, Some((&found.velocity, inlet + 1)))?;
     let mut flow = Flow {
         faces,
         labels,
@@ -187,6 +191,7 @@ fn solve(
             wall_leak: 0.0,
             section_flux_drift: 0.0,
             pressure_drop: 0.0,
+            linear,
         },
         pressure: Vec::new(),
         mesh: cells,
@@ -399,14 +404,6 @@ impl Flow {
             .enumerate()
             .map(|(c, p)| Cell::new(&tables, &self.mesh.control(c)).pressure_at([0.5; 3], p))
             .collect();
-    }
-
-    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the patches.
-    ///
-    /// # Errors
-    /// [`MeshError::Volume`](crate::MeshError::Volume) if they would be too many.
-    pub fn linear_share(&self) -> Result<f64, crate::MeshError> {
-        linear_share(&self.mesh, LINEAR_PARTS)
     }
 
     /// The velocity as a VTK XML unstructured grid, exactly as Bézier hexahedra or at the corners of trilinear cells, with the

@@ -4,9 +4,9 @@ use super::assembly::{Assembly, NodeBlocks};
 use super::cluster::{Layout, layout};
 use super::cubic_node::START;
 use super::distance::{Net, wall_distance};
-use super::node::mesh_node;
+use super::node::{Cluster, mesh_node};
 use super::node_mesh::NodeMesh;
-use super::options::{MeshError, MeshOptions, MeshReport, go_on};
+use super::options::{FoldedNode, MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
 use super::sweep::RadialLength;
 use super::tube::{Tube, tubes};
@@ -111,7 +111,7 @@ const BYTES_PER_CELL: usize = 1200;
 const MOST_BYTES: usize = 8 << 30;
 
 /// The factor for radii at which a regular polygon has the area of its circle.
-fn area_factor(sides: usize) -> f64 {
+pub(super) fn area_factor(sides: usize) -> f64 {
     let angle = std::f64::consts::TAU / sides as f64;
     (angle / libm::sin(angle)).sqrt()
 }
@@ -125,7 +125,7 @@ fn area_factor(sides: usize) -> f64 {
 /// [`MeshReport::certified`] is proven, rounding included. Tubes of branches that are not adjacent are meshed separately even if
 /// they overlap: see [`problems`](crate::problems).
 /// # Errors
-/// [`MeshError`]: a sample without a radius, a node that cannot be meshed, memory, a limit on time.
+/// [`MeshError`]: a sample without a radius, nodes that cannot be meshed, memory, a limit on time.
 /// # Cost
 /// Linear in the length of the tree in radii; about 0.3 s per node, in parallel.
 /// # Source
@@ -247,7 +247,7 @@ impl Parts {
 }
 
 /// The tubes and the layout of the nodes between them. Where the corners of a tube have no room beside its nodes, its samples are moved.
-fn arranged(skeleton: &Skeleton, factor: f64) -> (Vec<Tube>, Layout) {
+pub(super) fn arranged(skeleton: &Skeleton, factor: f64) -> (Vec<Tube>, Layout) {
     let mut is_moved = Vec::new();
     loop {
         let tubes = tubes(skeleton, factor, &is_moved);
@@ -332,15 +332,28 @@ fn mesh_nodes(
             }
             // A mesh that was stopped early may be folded.
             go_on(control)?;
-            let quality = node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
-            if quality > 0.0 {
-                return Ok(node);
-            }
-            let sample = skeleton.samples()[cluster.samples[0]];
-            Err(MeshError::Node { sample: sample.id, line: sample.line, arms: cluster.ends.len(), quality })
+            Ok(node)
         })
         .collect();
-    nodes.into_iter().collect()
+    let nodes = nodes.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let quality = |node: &Option<NodeMesh>| node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
+    let pairs = layout.clusters.iter().zip(&nodes).filter(|(cluster, _)| !cluster.ends.is_empty());
+    refuse_folded(skeleton, pairs.map(|(cluster, node)| (cluster, quality(node))))?;
+    Ok(nodes)
+}
+
+/// An error that names the nodes whose cells are folded.
+pub(super) fn refuse_folded<'c>(
+    skeleton: &Skeleton,
+    nodes: impl Iterator<Item = (&'c Cluster, f64)>,
+) -> Result<(), MeshError> {
+    let folded = nodes.filter(|(_, quality)| *quality <= 0.0);
+    let node = |(cluster, quality): (&Cluster, f64)| {
+        let sample = skeleton.samples()[cluster.samples[0]];
+        FoldedNode { sample: sample.id, line: sample.line, arms: cluster.ends.len(), quality }
+    };
+    let folded: Vec<_> = folded.map(node).collect();
+    if folded.is_empty() { Ok(()) } else { Err(MeshError::Nodes(folded)) }
 }
 
 /// The mean of the corners of a cell.
@@ -385,7 +398,7 @@ fn finish(
         min_scaled_jacobian: proof.least,
         certified: proof.is_complete(),
         unproven: proof.places(Some(skeleton), |cell| mean(&mesh.corners(mesh.cells()[cell]))),
-        linear_share: None,
+        linear: None,
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

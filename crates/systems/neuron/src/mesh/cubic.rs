@@ -1,9 +1,10 @@
 //! Tricubic meshes of neurons.
 
 use super::assembly::{Assembly, NodeBlocks};
-use super::build::{Blocks, Cap, Parts, labels, mean};
+use super::build::{Blocks, Cap, Parts, labels, mean, refuse_folded};
 use super::cubic_node::{CubicNode, bend};
 use super::distance::{Net, wall_distance};
+use super::linear::{Labelled, linear_shares};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
 use super::section::Section;
@@ -11,7 +12,7 @@ use crate::Skeleton;
 use glam::DVec3;
 use pompeiu_core::run::{Control, on_threads};
 use pompeiu_volume::{
-    BezierMesh, BoundaryFace, CellData, FACE_AXES, Faces, PointData, volume, write_bezier_vtu, write_vtu,
+    BezierMesh, BoundaryFace, CellData, FACE_AXES, Faces, PointData, write_bezier_vtu, write_vtu,
 };
 use rayon::prelude::*;
 
@@ -42,29 +43,10 @@ impl CubicMesh {
         cubic_vtu(&self.mesh, linear.then_some(LINEAR_PARTS), &[], &[("branch", &self.branches())])
     }
 
-    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the patches: the sides of a section are chords.
-    ///
-    /// # Errors
-    /// [`MeshError::Volume`] if they would be too many.
-    pub fn linear_share(&self) -> Result<f64, MeshError> {
-        linear_share(&self.mesh, LINEAR_PARTS)
-    }
-
     /// The branch of each patch as a number.
     pub fn branches(&self) -> Vec<f64> {
         self.parts.iter().map(|&part| f64::from(part)).collect()
     }
-}
-
-/// The volume of trilinear cells, so many along each axis of each patch, as a share of that of the patches.
-///
-/// # Errors
-/// [`MeshError::Volume`] if they would be too many.
-pub(crate) fn linear_share(mesh: &BezierMesh, parts: usize) -> Result<f64, MeshError> {
-    let fine = mesh.subdivided(parts, &[])?.0.corner_mesh()?;
-    let total: f64 =
-        fine.cells().par_iter().map(|&cell| volume(&fine.corners(cell))).collect::<Vec<_>>().iter().sum();
-    Ok(total / mesh.volume())
 }
 
 /// Trilinear cells along each axis of a patch, in files of trilinear cells.
@@ -166,13 +148,8 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
         })
         .collect();
     go_on(&control)?;
-    for (cluster, node) in parts.layout.clusters.iter().zip(&bent) {
-        if let Some(quality) = node.as_ref().map(|node| node.quality).filter(|quality| *quality <= 0.0) {
-            let sample = skeleton.samples()[cluster.samples[0]];
-            let arms = cluster.ends.len();
-            return Err(MeshError::Node { sample: sample.id, line: sample.line, arms, quality });
-        }
-    }
+    let pairs = parts.layout.clusters.iter().zip(&bent);
+    refuse_folded(skeleton, pairs.filter_map(|(cluster, node)| Some((cluster, node.as_ref()?.quality))))?;
     let nodes: Vec<Option<NodeBlocks<'_>>> = parts
         .nodes
         .iter()
@@ -228,7 +205,7 @@ fn finish(
         min_scaled_jacobian: proof.least,
         certified: proof.is_complete(),
         unproven: proof.places(Some(skeleton), |cell| mean(&corners.corners(corners.cells()[cell]))),
-        linear_share: Some(linear_share(&mesh, LINEAR_PARTS)?),
+        linear: Some(linear_shares(&mesh, Labelled { faces: &faces, labels: &labels }, LINEAR_PARTS, None)?),
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

@@ -170,7 +170,7 @@ fn report(mesh: &HexMesh, proof: &CellProof) -> Result<MeshReport, MeshError> {
         min_scaled_jacobian: proof.least,
         certified: proof.is_complete(),
         unproven: proof.places(None, |cell| mean(&mesh.corners(mesh.cells()[cell]))),
-        linear_share: None,
+        linear: None,
         wall: None,
         left_out: Vec::new(),
         moved: Vec::new(),

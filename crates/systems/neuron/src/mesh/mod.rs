@@ -8,6 +8,7 @@
 mod assembly;
 mod assign;
 mod build;
+mod causes;
 mod cluster;
 mod core;
 mod cubic;
@@ -17,6 +18,7 @@ mod distance;
 mod energy;
 mod follow;
 mod import;
+mod linear;
 mod node;
 mod node_mesh;
 mod options;
@@ -30,10 +32,14 @@ mod warp;
 
 pub(crate) use build::concentrations;
 pub use build::{Cap, NeuronMesh, mesh_neuron};
+pub(crate) use causes::{Cause, Causes};
 pub use cubic::{CubicMesh, cubic_neuron};
-pub(crate) use cubic::{LINEAR_PARTS, cubic_vtu, linear_share};
+pub(crate) use cubic::{LINEAR_PARTS, cubic_vtu};
 pub use import::{Ends, Side};
+pub use linear::LinearShares;
+pub(crate) use linear::{Labelled, linear_shares};
 pub use options::{
-    BeyondSample, DirectedDistance, MeshError, MeshOptions, MeshReport, UnprovenCell, WallDistance,
+    BeyondSample, DirectedDistance, FoldedNode, MeshError, MeshOptions, MeshReport, UnprovenCell,
+    WallDistance,
 };
 pub(crate) use options::{ended_by, go_on};

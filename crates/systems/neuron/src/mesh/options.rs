@@ -1,8 +1,10 @@
 //! Options, report and errors of meshing.
 
+use super::linear::LinearShares;
 use crate::Skeleton;
 use pompeiu_core::run::{Control, Limits, ProgressObserver, StopReason};
 use pompeiu_volume::VolumeError;
+use std::fmt;
 
 /// Options of meshing.
 #[derive(Clone)]
@@ -73,10 +75,9 @@ pub struct MeshReport {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<UnprovenCell>>"))]
     pub unproven: Vec<UnprovenCell>,
-    /// The volume of the trilinear cells that stand for tricubic ones in files, three along each edge, as a share of theirs; omitted for trilinear
-    /// cells. The sides of sections are chords there, so that areas of sections shrink likewise.
+    /// What the trilinear cells keep that stand for tricubic ones in files, three along each edge; omitted for trilinear cells.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub linear_share: Option<f64>,
+    pub linear: Option<LinearShares>,
     /// The distance of the mesh's wall from the surface of the skeleton's cones, both ways; omitted if it was not computed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub wall: Option<WallDistance>,
@@ -208,6 +209,39 @@ pub(crate) fn go_on(control: &Control) -> Result<(), MeshError> {
     Ok(())
 }
 
+/// A node whose cells stay folded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoldedNode {
+    /// A sample of the node, by its number in the file.
+    pub sample: i64,
+    /// Its line, from 1.
+    pub line: usize,
+    /// Branches that meet there.
+    pub arms: usize,
+    /// The best of the least scaled Jacobians found.
+    pub quality: f64,
+}
+
+impl fmt::Display for FoldedNode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { sample, arms, quality, .. } = self;
+        let branches = if *arms == 1 { "branch" } else { "branches" };
+        write!(
+            f,
+            "the node at sample {sample} with {arms} {branches} cannot be meshed: the least scaled Jacobian found is {quality:.3}"
+        )
+    }
+}
+
+/// The first node in full, and the samples of the others.
+fn of_nodes(nodes: &[FoldedNode]) -> String {
+    let Some((first, others)) = nodes.split_first() else { return String::new() };
+    let others: Vec<String> = others.iter().map(|node| node.sample.to_string()).collect();
+    let nor =
+        if others.is_empty() { String::new() } else { format!("; nor can those at {}", others.join(", ")) };
+    format!("line {}: {first}{nor}", first.line)
+}
+
 /// Why a neuron cannot be meshed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -225,20 +259,9 @@ pub enum MeshError {
         "there is no branch to mesh: the skeleton is points only, or every branch is too short for its radius"
     )]
     NoBranch,
-    /// The cells of a node stay folded.
-    #[error(
-        "line {line}: the node at sample {sample} with {arms} branches cannot be meshed: the least scaled Jacobian found is {quality:.3}"
-    )]
-    Node {
-        /// A sample of the node.
-        sample: i64,
-        /// Its line, from 1.
-        line: usize,
-        /// Branches that meet there.
-        arms: usize,
-        /// The best quality found.
-        quality: f64,
-    },
+    /// The cells of nodes stay folded.
+    #[error("{}", of_nodes(.0))]
+    Nodes(Vec<FoldedNode>),
     /// The memory limit is too small.
     #[error(
         "the mesh would have about {cells} cells and take {needed} MiB, more than the limit of {limit} MiB"

@@ -9,6 +9,8 @@ const PER_SPAN: usize = 24;
 
 /// A branch, divided into round cones.
 pub(super) struct Tube {
+    /// The samples along it.
+    pub(super) samples: Vec<usize>,
     /// The samples at its ends.
     pub(super) nodes: [usize; 2],
     axis: Axis,
@@ -102,12 +104,13 @@ impl Mitre {
 }
 
 impl Tube {
-    fn smooth(nodes: [usize; 2], points: Vec<(DVec3, f64)>, moved: f64) -> Self {
+    fn smooth(samples: Vec<usize>, points: Vec<(DVec3, f64)>, moved: f64) -> Self {
         let curve = Curve::new(points);
         let lengths = curve.arc_length(PER_SPAN);
         let total = lengths.total();
         let axis = Axis::Smooth { curve, lengths };
-        let mut tube = Self { nodes, axis, cones: Vec::new(), starts: vec![0.0], moved };
+        let nodes = ends(&samples);
+        let mut tube = Self { samples, nodes, axis, cones: Vec::new(), starts: vec![0.0], moved };
         let mut s = 0.0;
         let mut last = tube.at(0.0);
         while s < total {
@@ -122,7 +125,7 @@ impl Tube {
         tube
     }
 
-    fn straight(nodes: [usize; 2], points: Vec<(DVec3, f64)>) -> Self {
+    fn straight(samples: Vec<usize>, points: Vec<(DVec3, f64)>) -> Self {
         let mut lengths = vec![0.0];
         let mut cones = Vec::with_capacity(points.len());
         for pair in points.windows(2) {
@@ -130,7 +133,8 @@ impl Tube {
             cones.push(RoundCone { ends: [pair[0].0, pair[1].0], radii: [pair[0].1, pair[1].1] });
         }
         let starts = lengths.clone();
-        Self { nodes, axis: Axis::Straight { points, lengths }, cones, starts, moved: 0.0 }
+        let nodes = ends(&samples);
+        Self { samples, nodes, axis: Axis::Straight { points, lengths }, cones, starts, moved: 0.0 }
     }
 
     pub(super) fn length(&self) -> f64 {
@@ -257,21 +261,26 @@ fn farthest(points: &[(DVec3, f64)], path: &[(DVec3, f64)]) -> f64 {
 
 /// The tube through samples: smooth if the spline is within the tolerance of them, otherwise the polyline with a mitre at each sample. If the
 /// mitres have no room or `is_moved` asks for it, the samples are moved until the spline can be meshed.
-fn tube(nodes: [usize; 2], samples: Vec<(DVec3, f64)>, is_moved: bool) -> Tube {
-    let mut points = samples.clone();
+fn tube(samples: Vec<usize>, through: Vec<(DVec3, f64)>, is_moved: bool) -> Tube {
+    let mut points = through.clone();
     relax(&mut points);
-    let moved = deviation(&points, &samples);
+    let moved = deviation(&points, &through);
     if moved <= WITHIN {
-        return Tube::smooth(nodes, points, 0.0);
+        return Tube::smooth(samples, points, 0.0);
     }
-    let straight = Tube::straight(nodes, samples);
+    let straight = Tube::straight(samples, through);
     let length = straight.length();
     let least = libm::cos(MOST_MITRE.to_radians());
     let is_slanted = |mitre: &Mitre| mitre.directions[0].dot(mitre.directions[1]) < least;
     if !is_moved && straight.has_room(0.0, length) && !straight.mitres(0.0, length).iter().any(is_slanted) {
         return straight;
     }
-    Tube::smooth(nodes, points, moved)
+    Tube::smooth(straight.samples, points, moved)
+}
+
+/// The first sample and the last.
+fn ends(samples: &[usize]) -> [usize; 2] {
+    [samples[0], samples[samples.len() - 1]]
 }
 
 /// Largest number of cones of a tube.
@@ -363,7 +372,7 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<
             if points.len() < 2 {
                 points.push(points[0]);
             }
-            tube([path[0], path[last]], points, is_moved.get(index).is_some_and(|is| *is))
+            tube(path, points, is_moved.get(index).is_some_and(|is| *is))
         })
         .collect()
 }

@@ -1,7 +1,10 @@
 //! Defects of a skeleton that would harm a mesh.
 
+mod meshing;
 mod overlap;
 mod shape;
+
+pub use meshing::{Meshability, meshability};
 
 use crate::Skeleton;
 
@@ -25,9 +28,10 @@ pub struct Problem {
     /// The sample of the other branch.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub other_sample: Option<i64>,
-    /// The value that is out of range: a depth or length in micrometres, an angle in degrees, a radius, a count.
+    /// The value that is out of range: a depth or length in micrometres, an angle in degrees, a radius, a count; of a mesh the distance of its
+    /// wall from the cones in radii, or a scaled Jacobian.
     pub value: f64,
-    /// The limit: an upper limit for angles, depths and counts, a lower limit for lengths and radii.
+    /// The limit: an upper limit for angles, depths, distances and counts, a lower limit for lengths, radii and scaled Jacobians.
     pub limit: f64,
     /// A description in a sentence.
     pub message: String,
@@ -52,11 +56,24 @@ pub enum ProblemKind {
     Inside,
     /// Branches that intersect where they should not.
     Overlap,
-    /// A branch that turns too much within a radius.
+    /// A branch that turns too much within a radius, or more sharply than its mesh follows.
     SharpTurn,
+    /// A node whose branches are too close together, or of too different radii, for its mesh.
+    Node,
+    /// A place at which the wall of the mesh is too far from the cones, without one of the other kinds.
+    Wall,
+    /// Cells of the mesh that are not proven valid.
+    Cells,
+    /// No branch at all that could be meshed.
+    NoBranch,
 }
 
 impl ProblemKind {
+    /// Whether it is a defect of the file, not of the shape.
+    pub const fn is_of_file(self) -> bool {
+        matches!(self, Self::SeveralRoots | Self::ZeroRadius | Self::Coincident)
+    }
+
     /// The kind in words.
     pub const fn name(self) -> &'static str {
         match self {
@@ -67,6 +84,10 @@ impl ProblemKind {
             Self::Inside => "inside another branch",
             Self::Overlap => "overlap",
             Self::SharpTurn => "sharp turn",
+            Self::Node => "node",
+            Self::Wall => "wall",
+            Self::Cells => "cells",
+            Self::NoBranch => "no branch",
         }
     }
 }

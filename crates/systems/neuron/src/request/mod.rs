@@ -114,7 +114,7 @@ impl Default for NeuronRequest {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Stage {
-    /// The skeleton is read, and what is wrong with it is reported.
+    /// The skeleton is read, and what is wrong with it and what the stage mesh cannot do is reported; it takes as long as that.
     Check,
     /// The neuron is filled with trilinear cells.
     Mesh,
@@ -163,9 +163,10 @@ impl Report for NeuronReport {
         let has_problems = self.skeleton.as_ref().is_some_and(|skeleton| !skeleton.problems.is_empty());
         let wall = self.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref());
         let is_within = wall.map_or(Some(true), WallDistance::is_within);
+        let is_undecided = self.is_check && self.meshable.is_none();
         if (self.is_check && has_problems) || self.agrees == Some(false) || is_within == Some(false) {
             Conclusion::Refuted
-        } else if self.stop.is_early() || !is_certified || is_within.is_none() {
+        } else if self.stop.is_early() || !is_certified || is_within.is_none() || is_undecided {
             Conclusion::Incomplete
         } else {
             Conclusion::AsAsked
@@ -254,16 +255,20 @@ impl NeuronRequest {
         let tricubic: &[Stage] = &[Stage::Spline, Stage::Flow, Stage::All];
         let carrying: &[Stage] = &[Stage::Transport, Stage::All];
         for (option, is_given, stages) in [
-            ("parts", self.parts != defaults.parts, &[Stage::Mesh, Stage::Transport, Stage::All][..]),
+            (
+                "parts",
+                self.parts != defaults.parts,
+                &[Stage::Check, Stage::Mesh, Stage::Transport, Stage::All][..],
+            ),
             (
                 "layer",
                 self.layer != defaults.layer,
-                &[Stage::Mesh, Stage::Spline, Stage::Flow, Stage::Transport, Stage::All],
+                &[Stage::Check, Stage::Mesh, Stage::Spline, Stage::Flow, Stage::Transport, Stage::All],
             ),
             (
                 "within",
                 self.within != defaults.within,
-                &[Stage::Mesh, Stage::Spline, Stage::Flow, Stage::Transport, Stage::All],
+                &[Stage::Check, Stage::Mesh, Stage::Spline, Stage::Flow, Stage::Transport, Stage::All],
             ),
             ("elements", self.elements != defaults.elements, tricubic),
             ("refine", !self.refine.is_empty(), &[Stage::Spline]),

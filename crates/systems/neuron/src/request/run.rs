@@ -4,8 +4,8 @@ use super::{NeuronRequest, NeuronRequestError, Stage};
 use crate::source::Prepared;
 use crate::{
     Checkpoint, CubicMesh, Flow, FlowCells, FlowOptions, MaterialCells, MeshOptions, NeuronMesh,
-    NeuronReport, NeuronSource, Parameters, RefineAt, RefineOptions, RunIdentity, Skeleton, SplineReport,
-    Timing, Transport, TransportOptions, TransportState, neuron_flow, refined_splines,
+    NeuronReport, NeuronSource, Parameters, Problem, RefineAt, RefineOptions, RunIdentity, Skeleton,
+    SplineReport, Timing, Transport, TransportOptions, TransportState, neuron_flow, refined_splines,
 };
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{RunContext, StopReason};
@@ -139,7 +139,7 @@ impl Run<'_, '_> {
         self.answer.report.skeleton = source.report().cloned();
         self.answer.report.timing = Timing { skeleton: self.lap(), ..Timing::default() };
         match self.request.stage {
-            Stage::Check => Ok(()),
+            Stage::Check => self.check(&source),
             Stage::Mesh => {
                 self.answer.hexahedra = Some(self.hexahedra(&source)?);
                 Ok(())
@@ -174,6 +174,22 @@ impl Run<'_, '_> {
             progress: self.context.progress(),
             ..MeshOptions::default()
         }
+    }
+
+    /// Keeps the problems of the file, and in the place of those of shape what a mesh cannot do.
+    fn check(&mut self, source: &Prepared) -> Result<(), NeuronRequestError> {
+        if let Some(skeleton) = &mut self.answer.report.skeleton {
+            skeleton.problems.retain(|problem| problem.kind.is_of_file());
+        }
+        let found = source.meshability(&self.options(self.request.parts))?;
+        self.answer.report.meshable = found.meshable;
+        if let Some(skeleton) = &mut self.answer.report.skeleton {
+            let is_new = |problem: &Problem| !skeleton.problems.contains(problem);
+            let new: Vec<Problem> = found.problems.into_iter().filter(is_new).collect();
+            skeleton.problems.extend(new);
+        }
+        self.answer.report.timing.mesh = Some(self.lap());
+        Ok(())
     }
 
     fn hexahedra(&mut self, source: &Prepared) -> Result<NeuronMesh, NeuronRequestError> {

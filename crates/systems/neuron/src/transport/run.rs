@@ -8,7 +8,7 @@ use super::state::{Frame, MassBalance, TransportState};
 use super::step::Stepper;
 use super::system::System;
 use super::viscous::FlowCells;
-use crate::{Cap, NeuronMesh};
+use crate::{Cap, LinearShares, NeuronMesh};
 use pompeiu_core::run::{Control, Progress, StopReason};
 use std::ops::ControlFlow;
 
@@ -41,6 +41,9 @@ pub struct TransportReport {
     pub maximum: f64,
     /// The flat ends other than the inlet, after the last step.
     pub tips: Vec<TipReport>,
+    /// What the trilinear cells keep that stand for the cells of a flow in files, one for each; omitted for trilinear cells.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub linear: Option<LinearShares>,
 }
 
 /// Concentrations at a flat end.
@@ -120,7 +123,9 @@ pub fn transport_in_flow(
     check_memory(cells.volumes.volumes.len(), parameters, options)?;
     let control = Control::start(&options.limits);
     let system = System { mesh: &cells.volumes, flow: &cells.field, parameters, inlet: cells.inlet };
-    run(&system, &cells.caps, frames, options, &control)
+    let mut found = run(&system, &cells.caps, frames, options, &control)?;
+    found.report.linear = Some(cells.linear());
+    Ok(found)
 }
 
 fn check_memory(
@@ -200,6 +205,7 @@ fn run(
         tips: tips
             .map(|(_, (cap, &[free, plus, minus]))| TipReport { sample: cap.sample, free, plus, minus })
             .collect(),
+        linear: None,
     };
     let done = state.step == parameters.steps;
     let stop = control.reason().filter(|_| !done).unwrap_or(StopReason::Steps);

@@ -5,7 +5,7 @@ use super::error::TransportError;
 use super::factor::{cholesky, go_on};
 use super::flow::FlowField;
 use super::parts::{by_parts, deal, labels_of_parts};
-use crate::mesh::{concentrations, cubic_vtu, linear_share};
+use crate::mesh::{Labelled, LinearShares, concentrations, cubic_vtu, linear_shares};
 use crate::{Cap, Flow};
 use glam::DVec3;
 use pompeiu_core::mesh::UnionFind;
@@ -23,6 +23,7 @@ pub struct FlowCells {
     pub(super) field: FlowField,
     pub(super) caps: Vec<Cap>,
     pub(super) inlet: u32,
+    linear: LinearShares,
 }
 
 impl FlowCells {
@@ -93,7 +94,9 @@ impl FlowCells {
         let volumes =
             Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends, parts: dealt };
         let field = balanced(&volumes, through, out, flow.inlet, &control)?;
-        Ok(Self { mesh, faces, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet })
+        let boundary = Labelled { faces: &faces, labels: &labels };
+        let linear = linear_shares(&mesh, boundary, 1, Some((&velocity, flow.inlet + 1)))?;
+        Ok(Self { mesh, faces, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet, linear })
     }
 
     /// Number of cells.
@@ -116,12 +119,9 @@ impl FlowCells {
         &self.faces
     }
 
-    /// The volume of the trilinear cells of [`vtu`](Self::vtu) as a share of that of the cells.
-    ///
-    /// # Errors
-    /// [`MeshError::Volume`](crate::MeshError::Volume) if they would be too many.
-    pub fn linear_share(&self) -> Result<f64, crate::MeshError> {
-        linear_share(&self.mesh, 1)
+    /// What the trilinear cells of [`vtu`](Self::vtu) keep of the cells.
+    pub fn linear(&self) -> LinearShares {
+        self.linear
     }
 
     /// Concentrations of each cell as a VTK XML unstructured grid: `total`, `free`, `plus` and `minus`, as Bézier hexahedra or as

@@ -31,7 +31,7 @@ fn straight_tubes_have_the_volume_and_the_wall_of_the_cylinder() {
     assert_eq!((found.caps.len(), found.mesh.cells().len()), (2, 20));
     // Polygons of twelve sides.
     let share = 6.0 * libm::sin(PI / 6.0) / PI;
-    assert!((found.report.linear_share.unwrap() - share).abs() < 1e-3, "{:?}", found.report.linear_share);
+    assert!((found.report.linear.unwrap().volume - share).abs() < 1e-3, "{:?}", found.report.linear);
     let wall = found.report.wall.unwrap();
     assert!(wall.wall_to_cones.upper_radii < 0.03 && wall.cones_to_wall.upper_radii < 0.04, "{wall:?}");
     assert!(found.report.min_scaled_jacobian > 0.8);

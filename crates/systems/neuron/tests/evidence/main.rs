@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod checks;
 mod cubics;
 mod flows;
 mod imports;

@@ -21,10 +21,10 @@ fn skeleton(text: &str) -> Skeleton {
 }
 
 /// Numbers between 0 and 1.
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -287,7 +287,7 @@ fn turns_beside_nodes_are_followed() {
 }
 
 impl Random {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.next()
     }
 
@@ -301,7 +301,7 @@ impl Random {
     }
 
     /// A direction at a random angle of at most `most` degrees from another one.
-    fn turned(&mut self, from: DVec3, most: f64) -> DVec3 {
+    pub(crate) fn turned(&mut self, from: DVec3, most: f64) -> DVec3 {
         let across = self.direction().reject_from(from).normalize();
         let (sine, cosine) = libm::sincos(self.between(0.0, most).to_radians());
         from * cosine + across * sine

@@ -8,7 +8,7 @@ use crate::printer::Printer;
 use crate::series::Series;
 use anyhow::{Context, bail};
 use pompeiu::neuron::{
-    MaterialCells, NeuronAnswer, NeuronPage, NeuronReport, NeuronRequest, Stage, Transported, refined_vtu,
+    LinearShares, NeuronAnswer, NeuronPage, NeuronReport, NeuronRequest, Stage, Transported, refined_vtu,
     write_swc,
 };
 use std::fmt::Write;
@@ -87,8 +87,9 @@ impl<'f> Outputs<'f> {
         let Self { files, series, .. } = self;
         if let Some(series) = series {
             frames(series, run, !files.bezier, printer)?;
-            if let (Some(list), false, MaterialCells::Flow(_)) = (&files.output, files.bezier, &run.cells) {
-                note_loss(list, run.cells.linear_share()?, printer);
+            if let (Some(list), false, Some(linear)) = (&files.output, files.bezier, run.found.report.linear)
+            {
+                note_loss(list, linear, printer);
             }
         }
         if let Some(tips) = &files.tips_table {
@@ -120,8 +121,8 @@ impl<'f> Outputs<'f> {
         };
         let Some(bytes) = bytes else { return Ok(()) };
         let share = match found {
-            NeuronAnswer { flow: Some(flow), .. } => Some(flow.linear_share()?),
-            NeuronAnswer { patches: Some(mesh), .. } => Some(mesh.linear_share()?),
+            NeuronAnswer { flow: Some(flow), .. } => Some(flow.report.linear),
+            NeuronAnswer { patches: Some(mesh), .. } => mesh.report.linear,
             _ => None,
         };
         if let Some(share) = share.filter(|_| linear) {
@@ -147,11 +148,17 @@ impl<'f> Outputs<'f> {
 }
 
 /// Says what trilinear cells lose of curved ones.
-fn note_loss(output: &Path, share: f64, printer: &Printer) {
+fn note_loss(output: &Path, linear: LinearShares, printer: &Printer) {
+    let percent = |share: f64, of: &str| format!("{:.1} % of the {of}", 100.0 * share);
+    let shares = [
+        Some(percent(linear.volume, "volume")),
+        linear.area.map(|share| percent(share, "area of the ends")),
+        linear.flux.map(|share| percent(share, "flux at the inlet")),
+    ];
     printer.note(format_args!(
-        "{}: trilinear cells, which have {:.1} % of the volume; --bezier writes tricubic cells exactly",
+        "{}: trilinear cells, which have {}; --bezier writes tricubic cells exactly",
         output.display(),
-        100.0 * share
+        shares.into_iter().flatten().collect::<Vec<_>>().join(", ")
     ));
 }
 

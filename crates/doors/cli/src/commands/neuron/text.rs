@@ -112,12 +112,18 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         1 => "1 problem".to_owned(),
         n => format!("{} problems", number(n)),
     });
+    let of_check = report.is_check.then(|| match report.meshable {
+        Some(true) => "it can be meshed".to_owned(),
+        Some(false) => "it cannot be meshed as asked".to_owned(),
+        None => "whether it can be meshed is not decided".to_owned(),
+    });
     let of_cells = report.mesh.as_ref().map(|mesh| {
         if mesh.certified { "every cell is proven valid" } else { "not every cell is proven valid" }
             .to_owned()
     });
     let of_wall = verdict_on_wall(report.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref()));
-    let verdict = match (of_cells, of_skeleton) {
+    let verdict = match (of_check.or(of_cells), of_skeleton) {
+        (Some(check), Some(problems)) if report.is_check => format!("{check}; {problems}"),
         (Some(cells), Some(skeleton)) => [Some(cells), of_wall, Some(format!("the skeleton has {skeleton}"))]
             .into_iter()
             .flatten()

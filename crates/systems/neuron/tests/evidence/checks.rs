@@ -1,0 +1,83 @@
+//! What a check says of a skeleton, beside what its mesh does.
+
+use crate::walls::Random;
+use glam::DVec3;
+use pompeiu_neuron::{
+    MeshOptions, Meshability, ProblemKind, Skeleton, WallDistance, mesh_neuron, meshability, read_swc,
+};
+use pompeiu_testkit::effort::cases;
+use std::fmt::Write;
+
+fn skeleton(text: &str) -> Skeleton {
+    Skeleton::new(&read_swc(text.as_bytes()).unwrap()).unwrap()
+}
+
+fn check(text: &str) -> Meshability {
+    meshability(&skeleton(text), &MeshOptions::default()).unwrap()
+}
+
+/// Turns that nothing follows, a twig within its node, branches that cross, narrow angles, no radius, and points only.
+const HARD: [(&str, ProblemKind, i64); 6] = [
+    ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n", ProblemKind::SharpTurn, 2),
+    ("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 0 0 1 2\n4 2 8 1.45 0 0.6 2\n", ProblemKind::TooShort, 4),
+    (
+        "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 10 10 0 1 2\n4 2 5 10 0 1 3\n5 2 5 -6 0.5 1 4\n",
+        ProblemKind::Overlap,
+        2,
+    ),
+    (
+        "1 2 2.4524 -4.0155 29.904 1.4669 -1\n2 2 2.6625 -5.6438 35.775 1.459 1\n3 2 3.1761 -4.8667 38.916 0.81258 2\n\
+         4 2 4.498 -4.1745 43.918 0.72841 3\n5 2 3.6266 -7.3025 37.384 0.50586 2\n6 2 4.5848 -8.8011 38.649 0.51083 5\n",
+        ProblemKind::Node,
+        5,
+    ),
+    ("1 2 0 0 0 1 -1\n2 2 8 0 0 0 1\n", ProblemKind::ZeroRadius, 2),
+    ("1 2 0 0 0 1 -1\n", ProblemKind::NoBranch, 1),
+];
+
+#[test]
+fn what_cannot_be_meshed_is_named_with_its_cause() {
+    for (text, kind, sample) in HARD {
+        let found = check(text);
+        let first = &found.problems[0];
+        assert_eq!((first.kind, first.sample, found.meshable), (kind, sample, Some(false)), "{found:?}");
+    }
+}
+
+/// What the mesh itself is: `Some(true)` if every cell is proven valid and the wall is within the tolerance.
+fn meshed(text: &str) -> Option<bool> {
+    let Ok(mesh) = mesh_neuron(&skeleton(text), &MeshOptions::default()) else { return Some(false) };
+    let within = mesh.report.wall.as_ref().map_or(Some(true), WallDistance::is_within);
+    if mesh.report.certified { within } else { Some(false) }
+}
+
+/// A branch that turns and forks at random angles, into branches of random radii.
+fn tree(random: &mut Random) -> String {
+    let mut text = String::from("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n");
+    let mut id = 2;
+    for _ in 0..=usize::from(random.next() < 0.7) {
+        let (mut p, mut parent, mut d) = (DVec3::X * 6.0, 2, random.turned(DVec3::X, 120.0));
+        let radius = random.between(0.3, 1.0);
+        for _ in 0..2 {
+            p += d * random.between(1.0, 7.0);
+            id += 1;
+            let _ = writeln!(text, "{id} 2 {} {} {} {radius} {parent}", p.x, p.y, p.z);
+            (parent, d) = (id, random.turned(d, 90.0));
+        }
+    }
+    text
+}
+
+#[test]
+fn a_check_agrees_with_the_mesh() {
+    let mut random = Random(5);
+    let mut counts = [0; 2];
+    for case in 0..cases(12) {
+        let text = tree(&mut random);
+        let (found, mesh) = (check(&text), meshed(&text));
+        assert_eq!(found.meshable, mesh, "{case}: {found:?}\n{text}");
+        assert_eq!(found.problems.is_empty(), mesh != Some(false), "{case}: {found:?}\n{text}");
+        counts[usize::from(mesh == Some(true))] += 1;
+    }
+    assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+}
