@@ -3,9 +3,9 @@
 use super::connectivity::NONE;
 use super::flips::{flip_to_delaunay, flip_to_regular};
 use super::marked::{Collapse, Freedom, Marked};
-use super::needles::{Flips, split_needles};
 use super::reference::Reference;
 use super::smooth::{keeps_normal, smooth};
+use super::splits::{Flips, STOP_EVERY, TooMany, split_longer_than};
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::Workspace;
 
@@ -21,12 +21,6 @@ pub(super) const STEPS: usize = 3;
 /// Rounds of flips and moves after the last split and collapse.
 const LAST_ROUNDS: usize = 3;
 
-/// Halfedges between two looks at the limits.
-pub(super) const STOP_EVERY: u32 = 4096;
-
-/// More faces than were allowed.
-pub(super) struct TooMany;
-
 /// One iteration: split, collapse, flip, move.
 pub(super) fn iterate(
     surface: &mut Marked,
@@ -34,8 +28,7 @@ pub(super) fn iterate(
     most_faces: usize,
     control: &Control,
 ) -> Result<(), TooMany> {
-    split_needles(surface, LONGEST, Flips::near(reference), most_faces, control)?;
-    split_longer_than(surface, LONGEST, most_faces, control)?;
+    split_longer_than(surface, LONGEST, Flips::near(reference), most_faces, control)?;
     collapse_short(surface, reference, control);
     if !control.is_stopped() {
         flip_to_regular(surface);
@@ -54,37 +47,6 @@ pub(super) fn finish(surface: &mut Marked, reference: Option<&Reference<'_>>) {
     }
     flip_to_delaunay(surface);
     smooth(surface, reference, 1);
-}
-
-/// Splits edges longer than this many target lengths, the longest first, until there is none.
-pub(super) fn split_longer_than(
-    surface: &mut Marked,
-    longest: f64,
-    most_faces: usize,
-    control: &Control,
-) -> Result<(), TooMany> {
-    let longest_sq = longest * longest;
-    loop {
-        let mut long: Vec<(f64, u32)> = surface
-            .mesh
-            .edges()
-            .map(|h| (surface.share_sq(h), h))
-            .filter(|(share, _)| *share > longest_sq)
-            .collect();
-        if long.is_empty() || control.is_stopped() {
-            return Ok(());
-        }
-        long.sort_unstable_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
-        for (i, (_, h)) in (0..).zip(long) {
-            if i % STOP_EVERY == 0 && control.is_stopped() {
-                return Ok(());
-            }
-            if surface.mesh.face_count() + 2 > most_faces {
-                return Err(TooMany);
-            }
-            surface.split(h);
-        }
-    }
 }
 
 /// Collapses short edges where this makes no long one and turns no face over. Vertices of curves stay on them.

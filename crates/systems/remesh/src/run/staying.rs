@@ -4,13 +4,13 @@ use super::Work;
 use crate::confined::Confined;
 use crate::cover::Cover;
 use crate::held::{Held, RISKY, keep_creases, mark_rough, spread};
-use crate::isotropic::{LONGEST, finish, iterate, split_longer_than};
+use crate::isotropic::{LONGEST, finish, iterate};
 use crate::marked::Marked;
 use crate::near::far_places;
-use crate::needles::{Flips, split_needles};
 use crate::reference::{Reference, identity};
 use crate::remesh_options::RemeshError;
 use crate::sizing::Lengths;
+use crate::splits::{Flips, split_longer_than};
 use pompeiu_core::spatial::bvh::Bvh;
 
 /// Times that edges are held at some places only.
@@ -105,8 +105,7 @@ impl Work<'_> {
     /// Splits edges longer than this many target lengths, and leaves the surface where it is.
     fn split(&self, surface: &mut Marked, longest: f64, limit: f64) -> Result<(), RemeshError> {
         let most_faces = self.options.most_faces;
-        split_needles(surface, longest, Flips::in_place(limit), most_faces, &self.control)
-            .and_then(|()| split_longer_than(surface, longest, most_faces, &self.control))
+        split_longer_than(surface, longest, Flips::in_place(limit), most_faces, &self.control)
             .map_err(|_| self.too_many())
     }
 

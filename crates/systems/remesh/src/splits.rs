@@ -1,8 +1,7 @@
-//! Long thin faces cut into faces of the wanted length: splits with flips between them.
+//! Splits of long edges: those of long thin faces first, with flips between them, then all others.
 
 use super::connectivity::{NONE, next, previous};
 use super::flips::{hinge, lowers_cotangents};
-use super::isotropic::{STOP_EVERY, TooMany};
 use super::marked::{Hold, Marked};
 use super::reference::Reference;
 use super::smooth::shape;
@@ -10,6 +9,9 @@ use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::Workspace;
 use std::collections::BinaryHeap;
+
+/// Halfedges between two looks at the limits.
+pub(super) const STOP_EVERY: u32 = 4096;
 
 /// Height over length below which a face with a long edge is a needle.
 const NEEDLE: f64 = 0.1;
@@ -23,6 +25,9 @@ const MOST_HEIGHT: f64 = 0.05;
 
 /// How far flips may move a surface that is to stay where it is, as a share of the distance that is asked for: as little as rounding.
 const STILL: f64 = 1e-6;
+
+/// More faces than were allowed.
+pub(super) struct TooMany;
 
 /// What flips between splits may do.
 #[derive(Clone, Copy)]
@@ -45,13 +50,46 @@ impl<'r> Flips<'r> {
     }
 }
 
+/// Splits edges longer than this many target lengths, the longest first, until there is none; those of needles before, with flips.
+pub(super) fn split_longer_than(
+    surface: &mut Marked,
+    longest: f64,
+    flips: Flips<'_>,
+    most_faces: usize,
+    control: &Control,
+) -> Result<(), TooMany> {
+    split_needles(surface, longest, flips, most_faces, control)?;
+    let longest_sq = longest * longest;
+    loop {
+        let mut long: Vec<(f64, u32)> = surface
+            .mesh
+            .edges()
+            .map(|h| (surface.share_sq(h), h))
+            .filter(|(share, _)| *share > longest_sq)
+            .collect();
+        if long.is_empty() || control.is_stopped() {
+            return Ok(());
+        }
+        long.sort_unstable_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
+        for (i, (_, h)) in (0..).zip(long) {
+            if i % STOP_EVERY == 0 && control.is_stopped() {
+                return Ok(());
+            }
+            if surface.mesh.face_count() + 2 > most_faces {
+                return Err(TooMany);
+            }
+            surface.split(h);
+        }
+    }
+}
+
 /// Splits edges of needles that are longer than `longest` times their target, the longest first, and flips edges of needles after each
 /// split towards Delaunay triangles where the surface is so flat that this moves it by little.
 ///
 /// # Why not splits alone
 /// Two needles that make a strip have three long edges: both sides and the diagonal. Halving all of them halves the width with the length, so
 /// that the needles remain needles: a strip of n lengths becomes n² faces. Once the sides are split, the diagonal can be flipped.
-pub(super) fn split_needles(
+fn split_needles(
     surface: &mut Marked,
     longest: f64,
     flips: Flips<'_>,
