@@ -2,16 +2,16 @@
 //!
 //! # What is proven
 //! On a cell over F faces behind the plane of F, raised by their greatest rise over it, are no nearer than that plane; each other face
-//! is no nearer than a plane of its own (`candidates`); and faces that do not meet the box around the cell, widened by the greatest
+//! is no nearer than a plane of its own (`fronts`, `candidates`); and faces that do not meet the box around the cell, widened by the greatest
 //! value above, are no nearer than that value, while the function below is nowhere greater, because F lies behind its plane.
 
 use super::behind::{Plane, rising, tilted};
 use super::candidates::{Candidate, Scale};
-use super::envelope::unit;
+use super::fronts::Front;
 use super::polygon::{MOST_CORNERS, Outline, Polygon, Row};
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::geom::point_triangle::near_weights;
+use pompeiu_core::geom::point_triangle::LANES;
 use pompeiu_core::spatial::bvh::Leaf;
 use pompeiu_core::spatial::{Bvh, Slot};
 
@@ -81,6 +81,7 @@ impl<'b> Compare<'b> {
         }
         let outline = &cell.outline;
         let face = self.candidate(cell.slot, scale);
+        let face = &self.candidates[face];
         let at = outline.centre();
         let margin = scale.margin + scale.displacement(outline);
         let g = if face.height.at(at) < 0.0 { -face.normal } else { face.normal };
@@ -96,24 +97,34 @@ impl<'b> Compare<'b> {
         let mut row = here.map(|x| x - highest);
         let mut worst = rise;
         let mut blocking = None;
-        for i in 0..self.rising.len() {
-            let slot = self.rising[i];
-            if slot == cell.slot {
-                continue;
-            }
-            let facing = Facing::new(self.bvh.corners(slot), &cell.upper, outline, scale);
-            if facing.deficit <= rise {
-                lower_to(&mut row, &facing.row);
-                continue;
-            }
-            let other = self.candidate(slot, scale);
-            let (theirs, deficit) = other.best_below(&cell.upper, outline, scale, g, &facing, rise);
-            lower_to(&mut row, &theirs);
-            if deficit > worst {
-                worst = deficit;
-                let below = other.height.at(at) < 0.0;
-                let height = other.height.row(outline).map(|h| if below { -h } else { h });
-                blocking = other.is_usable().then(|| (slot, std::array::from_fn(|j| here[j] - height[j])));
+        let centre = scale.point(at);
+        let front = Front::new(centre, &cell.points, &cell.upper);
+        for from in (0..self.rising.len()).step_by(LANES) {
+            let count = self.rising[from..].len().min(LANES);
+            let fronts = front.look(self.bvh, &self.rising[from..from + count]);
+            for lane in 0..count {
+                let slot = self.rising[from + lane];
+                if slot == cell.slot {
+                    continue;
+                }
+                let (theirs, deficit) = (fronts.row(lane), fronts.deficits[lane]);
+                if deficit <= rise {
+                    lower_to(&mut row, &theirs);
+                    continue;
+                }
+                let away = fronts.way(lane);
+                let facing = Facing { nearest: centre - away, away, row: theirs, deficit };
+                let other = self.candidate(slot, scale);
+                let other = &self.candidates[other];
+                let (theirs, deficit) = other.best_below(&cell.upper, outline, scale, g, &facing, rise);
+                lower_to(&mut row, &theirs);
+                if deficit > worst {
+                    worst = deficit;
+                    let below = other.height.at(at) < 0.0;
+                    let height = other.height.row(outline).map(|h| if below { -h } else { h });
+                    blocking =
+                        other.is_usable().then(|| (slot, std::array::from_fn(|j| here[j] - height[j])));
+                }
             }
         }
         let mut polygon = Polygon::unknown(*outline, 0.0);
@@ -122,13 +133,13 @@ impl<'b> Compare<'b> {
         Some(Compared { polygon, blocking })
     }
 
-    fn candidate(&mut self, slot: Slot, scale: &Scale) -> Candidate {
-        if let Some(known) = self.candidates.iter().find(|candidate| candidate.slot == slot) {
-            return *known;
-        }
-        let candidate = Candidate::new(slot, self.bvh.corners(slot), scale);
-        self.candidates.push(candidate);
-        candidate
+    /// Its place among the candidates.
+    fn candidate(&mut self, slot: Slot, scale: &Scale) -> usize {
+        let known = self.candidates.iter().position(|candidate| candidate.slot == slot);
+        known.unwrap_or_else(|| {
+            self.candidates.push(Candidate::new(slot, self.bvh.corners(slot), scale));
+            self.candidates.len() - 1
+        })
     }
 }
 
@@ -168,31 +179,15 @@ fn deficit(row: &Row, wanted: &Row) -> f64 {
     most
 }
 
-/// A face in front of the plane that faces the centre of a cell, with about its nearest point on it: of what lies farther away than the cell is
-/// long no more needs to be known.
+/// A face in front of planes with its normal, or that from about its nearest point to the centre of a cell: of what lies farther away than the cell
+/// is long no more needs to be known.
 struct Facing {
     nearest: DVec3,
     /// From there to the centre.
     away: DVec3,
-    /// Values at the corners of the cell of the function below the distance from the face, and how far it lies below the wanted one at most.
+    /// Values at the corners of the cell of the better function below the distance from the face, and how far it lies below the wanted one at most.
     row: Row,
     deficit: f64,
-}
-
-impl Facing {
-    fn new(corners: [[f64; 3]; 3], wanted: &Row, outline: &Outline, scale: &Scale) -> Self {
-        let centre = scale.point(outline.centre());
-        let [v, w] = near_weights(centre.to_array(), corners);
-        let [a, b, c] = corners.map(DVec3::from_array);
-        let nearest = a + v * (b - a) + w * (c - a);
-        let away = centre - nearest;
-        let Some(g) = unit(away) else {
-            let row = [f64::NEG_INFINITY; MOST_CORNERS];
-            return Self { nearest, away, row, deficit: f64::INFINITY };
-        };
-        let row = plane_in_front(&[a, b, c], g, nearest, outline, scale);
-        Self { nearest, away, row, deficit: deficit(&row, wanted) }
-    }
 }
 
 /// Values at the corners of a cell of `g . (x - y)`, less how far a face reaches along g beyond y.
@@ -220,19 +215,6 @@ impl Candidate {
         enough: f64,
     ) -> (Row, f64) {
         let mut best = (facing.row, facing.deficit);
-        if self.normal != DVec3::ZERO {
-            let below = self.height.at(outline.centre()) < 0.0;
-            let bulge = self.bulge[usize::from(below)];
-            let mut row = self.height.row(outline);
-            for x in &mut row {
-                *x = if below { -*x - bulge } else { *x - bulge };
-            }
-            let here = deficit(&row, wanted);
-            best = if here < best.1 { (row, here) } else { best };
-        }
-        if best.1 <= enough {
-            return best;
-        }
         let Facing { nearest, away, .. } = *facing;
         let [a, b, c] = self.corners;
         let ways = [a - nearest, b - nearest, c - nearest];

@@ -20,12 +20,13 @@
 use super::cells::{Limits, Rest, Task};
 use super::corners;
 use super::envelope::{distances, unit};
+use super::lanes::{Lanes, Seen, Vectors, broadcast, from_point, inverse_length, reach, seen, times};
 use super::linear::lesser;
 use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row, integral};
 use glam::DVec3;
 use multiversion::multiversion;
 use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, lane_of, near_weights, set_lane};
-use pompeiu_core::spatial::bvh::{LEAST_SQUARE, Leaf, Support};
+use pompeiu_core::spatial::bvh::{Leaf, Support};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use std::ops::Range;
 
@@ -402,7 +403,7 @@ fn least_of_leaf(block: &TriangleBlock, support: &Support, found: &mut Found) ->
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 fn least_of_block(block: &TriangleBlock, place: usize, support: &Support, found: &mut Found) -> u8 {
     let Found { below, beyond, met } = found;
-    let corners = from_centre(block, support);
+    let corners = from_point(support.centre, block);
     let common = common_plane(&corners, support);
     // One plane in front of all of them is enough as a rule.
     let mut short = 0.0;
@@ -469,18 +470,6 @@ struct PlanesOfBlock {
 
 // What follows goes over all lanes one operation at a time, without closures: so it is compiled for the instruction set of its caller.
 
-/// A number for each of eight triangles, and a vector.
-type Lanes = [f64; LANES];
-type Vectors = [Lanes; 3];
-
-/// The corners of eight triangles as seen from the centre.
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn from_centre(block: &TriangleBlock, support: &Support) -> [Vectors; 3] {
-    let o = broadcast(support.centre);
-    [minus(&block[0], &o), minus(&block[1], &o), minus(&block[2], &o)]
-}
-
 /// The planes of eight triangles along the direction that is common to all.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
@@ -491,32 +480,11 @@ fn common_plane([a, b, c]: &[Vectors; 3], support: &Support) -> (Vectors, Lanes)
 /// The best of three planes of each triangle: any direction no longer than one is valid, for how far the triangle reaches along it is computed.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn planes_of([a, b, c]: &[Vectors; 3], common: (Vectors, Lanes), support: &Support) -> PlanesOfBlock {
-    let (ab, ac, bc) = (minus(b, a), minus(c, a), minus(c, b));
-    let edges = nearer(from_edge(a, &ab), from_edge(a, &ac));
-    let edges = nearer(edges, from_edge(b, &bc));
-    let normal = cross(&ab, &ac);
-    let square = dot(&normal, &normal);
-    let (height, v, w) = (dot(&normal, a), dot(&cross(&ac, a), &normal), dot(&cross(a, &ab), &normal));
-    let mut foot = [0.0; LANES];
-    let mut side = [0.0; LANES];
-    let own_length = inverse_length(&square);
-    for l in 0..LANES {
-        foot[l] = -height[l] / square[l];
-        side[l] = if height[l] > 0.0 { -own_length[l] } else { own_length[l] };
-    }
-    let foot = times(&foot, &normal);
-    let mut foot_square = dot(&foot, &foot);
-    for l in 0..LANES {
-        // What is no number counts as outside.
-        let least = if v[l] < w[l] { v[l] } else { w[l] };
-        let most = v[l] + w[l];
-        let beside = if least >= 0.0 { most } else { f64::INFINITY };
-        foot_square[l] = if beside <= square[l] { foot_square[l] } else { f64::INFINITY };
-    }
-    let (way, distances_sq) = nearer((foot, foot_square), edges);
+fn planes_of(corners: &[Vectors; 3], common: (Vectors, Lanes), support: &Support) -> PlanesOfBlock {
+    let [a, b, c] = corners;
+    let Seen { way, distances_sq, normal } = seen(corners);
     let tangent = plane(&times(&inverse_length(&distances_sq), &way), [a, b, c], support);
-    let own = plane(&times(&side, &normal), [a, b, c], support);
+    let own = plane(&normal, [a, b, c], support);
     let (rows, _) = better(better(common, tangent), own);
     PlanesOfBlock { rows, distances_sq }
 }
@@ -526,53 +494,18 @@ fn planes_of([a, b, c]: &[Vectors; 3], common: (Vectors, Lanes), support: &Suppo
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
 fn plane(g: &Vectors, [a, b, c]: [&Vectors; 3], support: &Support) -> (Vectors, Lanes) {
-    let (x, y, z) = (dot(g, a), dot(g, b), dot(g, c));
+    let reach = reach(g, [a, b, c]);
     let mut rows = [[0.0; LANES]; 3];
     let mut short = [0.0; LANES];
     for i in 0..3 {
         let (way, wanted) = (support.ways[i], support.wanted[i]);
         for l in 0..LANES {
-            let reach = if x[l] > y[l] { x[l] } else { y[l] };
-            let reach = if reach > z[l] { reach } else { z[l] };
-            let value = g[0][l] * way[0] + g[1][l] * way[1] + g[2][l] * way[2] - reach;
+            let value = g[0][l] * way[0] + g[1][l] * way[1] + g[2][l] * way[2] - reach[l];
             rows[i][l] = value;
             short[l] += if value < wanted { value - wanted } else { 0.0 };
         }
     }
     (rows, short)
-}
-
-/// From the nearest points of edges to the centre, and the squares of these ways.
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn from_edge(p: &Vectors, edge: &Vectors) -> (Vectors, Lanes) {
-    let (along, square) = (dot(p, edge), dot(edge, edge));
-    let mut r = [[0.0; LANES]; 3];
-    let mut t = [0.0; LANES];
-    for l in 0..LANES {
-        let x = -along[l] / square[l];
-        let x = if x > 0.0 { x } else { 0.0 };
-        t[l] = if x < 1.0 { x } else { 1.0 };
-    }
-    for k in 0..3 {
-        for l in 0..LANES {
-            r[k][l] = -(p[k][l] + t[l] * edge[k][l]);
-        }
-    }
-    (r, dot(&r, &r))
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn nearer(x: (Vectors, Lanes), y: (Vectors, Lanes)) -> (Vectors, Lanes) {
-    let (mut r, mut square) = y;
-    for l in 0..LANES {
-        for k in 0..3 {
-            r[k][l] = if x.1[l] < y.1[l] { x.0[k][l] } else { y.0[k][l] };
-        }
-        square[l] = if x.1[l] < y.1[l] { x.1[l] } else { y.1[l] };
-    }
-    (r, square)
 }
 
 #[inline(always)]
@@ -586,70 +519,6 @@ fn better(x: (Vectors, Lanes), y: (Vectors, Lanes)) -> (Vectors, Lanes) {
         short[l] = if y.1[l] > x.1[l] { y.1[l] } else { x.1[l] };
     }
     (rows, short)
-}
-
-/// One by a length, given its square; less where digits of the square are lost.
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn inverse_length(square: &Lanes) -> Lanes {
-    let mut inverse = [0.0; LANES];
-    for l in 0..LANES {
-        let square = if square[l] > LEAST_SQUARE { square[l] } else { LEAST_SQUARE };
-        inverse[l] = 1.0 / square.sqrt();
-    }
-    inverse
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn broadcast(a: [f64; 3]) -> Vectors {
-    [[a[0]; LANES], [a[1]; LANES], [a[2]; LANES]]
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn times(s: &Lanes, a: &Vectors) -> Vectors {
-    let mut out = [[0.0; LANES]; 3];
-    for k in 0..3 {
-        for l in 0..LANES {
-            out[k][l] = s[l] * a[k][l];
-        }
-    }
-    out
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn minus(a: &Vectors, b: &Vectors) -> Vectors {
-    let mut out = [[0.0; LANES]; 3];
-    for k in 0..3 {
-        for l in 0..LANES {
-            out[k][l] = a[k][l] - b[k][l];
-        }
-    }
-    out
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn dot(a: &Vectors, b: &Vectors) -> Lanes {
-    let mut out = [0.0; LANES];
-    for l in 0..LANES {
-        out[l] = a[0][l] * b[0][l] + a[1][l] * b[1][l] + a[2][l] * b[2][l];
-    }
-    out
-}
-
-#[inline(always)]
-#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn cross(a: &Vectors, b: &Vectors) -> Vectors {
-    let mut out = [[0.0; LANES]; 3];
-    for l in 0..LANES {
-        out[0][l] = a[1][l] * b[2][l] - a[2][l] * b[1][l];
-        out[1][l] = a[2][l] * b[0][l] - a[0][l] * b[2][l];
-        out[2][l] = a[0][l] * b[1][l] - a[1][l] * b[0][l];
-    }
-    out
 }
 
 /// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
