@@ -99,6 +99,9 @@ const MOST_CELLS: usize = 64;
 const MOST_AREA: f64 = 64.0;
 /// Where planes are farther than this many times the area of their faces, squared, what is nearest are edges and vertices as a rule.
 const FARTHEST: f64 = 16.0;
+/// Where cells are farther than this many times the area of their faces, squared, many faces are around each: to make planes in front of them
+/// takes longer than to compare its few cells with them.
+const FARTHEST_OF_FACETS: f64 = 1.5;
 /// Steps from face to face on the way to a cell.
 const MOST_STEPS: u32 = 40;
 /// Steps that a cut by a face which is not across an edge counts.
@@ -271,7 +274,9 @@ impl<'b> Cells<'b> {
             distances(self.bvh, slot, &points, outline.count, workspace).map(|distance| distance + margin);
         let most = range(&upper).1;
         let below = height.at(outline.centre()) < 0.0;
-        if self.success.is_likely()
+        let is_near = most * most <= FARTHEST_OF_FACETS * self.facets.facet(slot).area;
+        if is_near
+            && self.success.is_likely()
             && let Some(row) = self.facets.below(slot, below, most + margin, &points)
         {
             let mut polygon = Polygon::unknown(outline, 0.0);

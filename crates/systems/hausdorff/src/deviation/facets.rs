@@ -107,8 +107,10 @@ const REACHES: usize = 613;
 /// Planes of a face at most, and leaves around a leaf.
 const MOST_HALVES: usize = 20;
 const MOST_LEAVES: usize = 64;
-/// Surroundings reach at least this many times the mean distance.
+/// Surroundings reach at least this many times the mean distance, as long as that is no more than so many times the area of the face, squared: what is
+/// around a face within its own size is little, and serves more cells.
 const LEAST_REACH: f64 = 4.0;
+const LEAST_REACH_OF_AREA: f64 = 1.0;
 /// The part of the reach at which planes are compared.
 const HEIGHT: f64 = 0.25;
 /// A plane that is short of what is wanted by no more than this part of that height is good enough.
@@ -153,7 +155,9 @@ impl<'b> Facets<'b> {
     /// distance; none if too many faces are near.
     pub(super) fn below(&mut self, slot: Slot, below: bool, distance: f64, points: &[Row; 3]) -> Option<Row> {
         let wanted = 2.0 * distance + self.rise;
-        let reach = power_of_two(if wanted > self.least_reach { wanted } else { self.least_reach });
+        let size = (LEAST_REACH_OF_AREA * self.facet(slot).area).sqrt();
+        let least = if size < self.least_reach { size } else { self.least_reach };
+        let reach = power_of_two(if wanted > least { wanted } else { least });
         // Reaches of neighbouring cells alternate: they are a power of two each.
         let index = (slot.index() + REACHES * (reach.to_bits() >> 52) as usize) % SURROUNDINGS;
         let known = &self.surroundings[index];
