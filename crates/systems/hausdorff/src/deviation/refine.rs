@@ -224,6 +224,8 @@ impl Refinement<'_> {
             let is_coarse = part < least && pieces as f64 > LEAST_FEWER * pieces_before as f64;
             pieces_before = pieces;
             let is_good = part.is_nan() || part <= 0.0 || is_coarse || (least..=most).contains(&part);
+            // What the percentiles came out of.
+            let tried = lesser(criterion.focus_mass, criterion.mass);
             if !is_good {
                 // A coarser criterion may leave far more than in proportion, so that it must be tried.
                 let most_factor = if trials_left > 0 { MOST_FACTOR } else { 1.0 };
@@ -236,10 +238,9 @@ impl Refinement<'_> {
             if !is_focused {
                 let wide = |ends: &&(f64, f64)| self.excess(**ends) > AIMED_AT_PERCENTILES;
                 let around = |ends: &(f64, f64)| (ends.0 / BESIDE_PERCENTILES, ends.1 * BESIDE_PERCENTILES);
-                let mass = lesser(criterion.focus_mass, criterion.mass);
                 criterion.focus = summary.percentiles.iter().filter(wide).map(around).collect();
                 criterion.focus_mass =
-                    mass * greater(NARROWER * AIMED_AT_PERCENTILES / worst, 1.0 / MOST_FACTOR);
+                    tried * greater(NARROWER * AIMED_AT_PERCENTILES / worst, 1.0 / MOST_FACTOR);
             }
             if is_good && is_focused {
                 return;
