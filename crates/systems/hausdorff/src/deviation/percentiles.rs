@@ -23,7 +23,7 @@ const MISSES: u32 = 2;
 /// Levels that are no farther apart are close to each other: far less than the rounding of a length in the frame.
 const NOTHING: f64 = 1e-18;
 /// Entries of which the distribution is forecast, about.
-const FORECAST: usize = 1 << 16;
+const FORECAST: usize = 1 << 14;
 /// The first places of a grid, as a part of it; where the next one ends, in levels; and grids after the first, at most.
 const FIRST_PLACES: f64 = 1.0 / 64.0;
 const AFTER: f64 = 4.0;
