@@ -67,7 +67,12 @@ impl FluidRequest {
     /// # Errors
     /// [`FluidRequestError::Missing`], [`FluidRequestError::TwoStarts`], [`FluidRequestError::Cells`].
     pub fn check(&self) -> Result<(), FluidRequestError> {
-        self.count_and_length_of_steps()?;
+        if self.steps.is_none() && self.dt.is_none() {
+            let both = "the number of steps with --steps and the length of a step with --dt";
+            return Err(FluidRequestError::Missing(both));
+        }
+        self.asked()?;
+        self.length_of_step()?;
         self.cells()?;
         let has_vorticity = self.vorticity.is_some() || !self.harmonic.is_empty() || !self.vortex.is_empty();
         if self.velocity.is_some() && has_vorticity {
@@ -81,18 +86,12 @@ impl FluidRequest {
     /// # Errors
     /// [`FluidRequestError::Missing`].
     pub fn asked(&self) -> Result<usize, FluidRequestError> {
-        self.count_and_length_of_steps().map(|(count, _)| count)
+        self.steps.ok_or(FluidRequestError::Missing("the number of steps with --steps"))
     }
 
-    /// Both, so that whoever gives neither is told of both at once.
-    pub(super) fn count_and_length_of_steps(&self) -> Result<(usize, f64), FluidRequestError> {
-        let missing = match (self.steps, self.dt) {
-            (Some(count), Some(length)) => return Ok((count, length)),
-            (None, Some(_)) => "the number of steps with --steps",
-            (Some(_), None) => "the length of a step with --dt",
-            (None, None) => "the number of steps with --steps and the length of a step with --dt",
-        };
-        Err(FluidRequestError::Missing(missing))
+    /// The length of a step, where nobody asks for a number of steps.
+    pub(super) fn length_of_step(&self) -> Result<f64, FluidRequestError> {
+        self.dt.ok_or(FluidRequestError::Missing("the length of a step with --dt"))
     }
 
     fn run_here<'s>(

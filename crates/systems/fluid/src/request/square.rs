@@ -76,7 +76,7 @@ impl FluidRequest {
     }
 
     fn square_options(&self, cells: usize, mesh: &TriMesh) -> Result<SquareOptions, FluidRequestError> {
-        let (_, dt) = self.count_and_length_of_steps()?;
+        let dt = self.length_of_step()?;
         let count = cells * cells;
         let densities = self.density.iter().map(|density| {
             let Amounts { initial, source } = amounts(density, mesh, &UNIT)?;

@@ -65,7 +65,7 @@ impl FluidRequest {
         mesh: &TriMesh,
         surface: &EmbeddedSurface,
     ) -> Result<FluidOptions, FluidRequestError> {
-        let (_, dt) = self.count_and_length_of_steps()?;
+        let dt = self.length_of_step()?;
         let around = Aabb::of_points(mesh.positions());
         let densities = self.density.iter().map(|density| {
             let Amounts { initial, source } = amounts(density, mesh, &around)?;
