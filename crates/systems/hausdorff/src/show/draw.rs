@@ -18,7 +18,6 @@ use pompeiu_core::spatial::{Bvh, Slot, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use pompeiu_figures::page::Bounds;
 use rayon::prelude::*;
-use std::collections::HashMap;
 
 /// What is drawn of a surface.
 pub(super) struct Drawing {
@@ -197,33 +196,29 @@ impl Sampler<'_> {
         // Large faces are looked at in more places.
         let first = ((most / count) as f64).sqrt() as u32;
         let first = (1_u32 << (first.max(2).ilog2())).min(MOST_PARTS);
-        let bends = sampler.each(&order, |face, near| sampler.bend(face, first, near));
-        let bent: Vec<(u32, (f64, Grid))> =
-            bends.into_iter().filter_map(|(face, found)| Some((face, found?))).collect();
+        let bends = sampler.each(&order, |face, near| Some((*face, sampler.bend(*face, first, near)?)));
+        let bent: Vec<(u32, (f64, Grid))> = bends.into_iter().flatten().collect();
         let each: Vec<f64> = bent.iter().map(|(_, (bend, _))| *bend).collect();
         let tolerance = within(tolerance, most - count, &each, first);
-        let chosen: HashMap<u32, (u32, Grid)> = bent
+        let chosen: Vec<(u32, u32, Grid)> = bent
             .into_iter()
-            .map(|(face, (bend, grid))| (face, (parts(bend, tolerance, first), grid)))
-            .filter(|(_, (parts, _))| *parts > 1)
+            .map(|(face, (bend, grid))| (face, parts(bend, tolerance, first), grid))
+            .filter(|(_, parts, _)| *parts > 1)
             .collect();
-        let ordered: Vec<u32> = order.into_iter().filter(|face| chosen.contains_key(face)).collect();
-        let made = sampler.each(&ordered, |face, near| {
-            let (parts, before) = &chosen[&face];
-            sampler.grid(face, *parts, before, near)
-        });
-        for (face, grid) in made {
-            grids[face as usize] = grid;
+        let made =
+            sampler.each(&chosen, |(face, parts, before), near| sampler.grid(*face, *parts, before, near));
+        for ((face, ..), grid) in chosen.iter().zip(made) {
+            grids[*face as usize] = grid;
         }
         grids
     }
 
-    /// Does something with each face, neighbours after each other.
-    fn each<R: Send>(&self, faces: &[u32], look: impl Fn(u32, &mut Near) -> R + Sync) -> Vec<(u32, R)> {
-        let of_task = |task: &[u32]| {
+    /// Does something for each face, in this order: neighbours should follow each other.
+    fn each<F: Sync, R: Send>(&self, faces: &[F], look: impl Fn(&F, &mut Near) -> R + Sync) -> Vec<R> {
+        let of_task = |task: &[F]| {
             let (workspace, hint) = (Workspace::default(), self.bvh.any_slot());
             let mut near = Near { workspace, hint, edges: vec![([u32::MAX; 2], 0.0); EDGES] };
-            task.iter().map(|face| (*face, look(*face, &mut near))).collect::<Vec<_>>()
+            task.iter().map(|face| look(face, &mut near)).collect::<Vec<_>>()
         };
         faces.par_chunks(TASK).flat_map_iter(of_task).collect()
     }
