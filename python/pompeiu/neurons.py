@@ -473,14 +473,7 @@ def _meshing(
 ) -> Dict[str, Any]:
     if not 1 <= elements <= 4:
         raise OptionError(f"the number of elements of a patch is {elements}; expected 1 to 4")
-    return {
-        "parts": int(elements),
-        "layer": float(layer),
-        "within": None,
-        "threads": threads,
-        "time_limit": time_limit,
-        "memory_limit": memory_limit,
-    }
+    return _of_blocks(elements, layer, None, (threads, time_limit, memory_limit))
 
 
 def _trilinear(
@@ -493,14 +486,14 @@ def _trilinear(
 ) -> Dict[str, Any]:
     if parts < 1:
         raise OptionError(f"the number of parts of a block is {parts}; expected 1 to 8")
-    return {
-        "parts": int(parts),
-        "layer": float(layer),
-        "within": float(within),
-        "threads": threads,
-        "time_limit": time_limit,
-        "memory_limit": memory_limit,
-    }
+    return _of_blocks(parts, layer, float(within), (threads, time_limit, memory_limit))
+
+
+def _of_blocks(
+    parts: int, layer: float, within: Optional[float], limits: Tuple[Optional[int], Optional[float], Optional[int]]
+) -> Dict[str, Any]:
+    asked = {"parts": int(parts), "layer": float(layer), "within": within}
+    return {**asked, **dict(zip(("threads", "time_limit", "memory_limit"), limits))}
 
 
 def _splines(

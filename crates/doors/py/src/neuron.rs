@@ -87,6 +87,25 @@ type MeshParts<'py> = (
     String,
 );
 
+impl NeuronSkeleton {
+    /// What is asked of the skeleton with options of a mesh, measured against the file.
+    fn run<R: Send>(
+        &self,
+        py: Python<'_>,
+        meshing: Meshing,
+        progress: Option<&Bound<'_, PyAny>>,
+        asked: impl FnOnce(&Skeleton, &MeshOptions<'_>) -> Result<R, MeshError> + Send,
+    ) -> PyResult<R> {
+        let mut options = meshing.options()?;
+        let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
+            options.limits.cancel = Some(watch.token());
+            let reference = self.1.as_ref();
+            asked(&self.0, &MeshOptions { progress: Some(&*watch), reference, ..options })
+        })?;
+        found.map_err(Raise::raise)
+    }
+}
+
 #[pymethods]
 impl NeuronSkeleton {
     /// Fills the neuron with hexahedra.
@@ -96,13 +115,7 @@ impl NeuronSkeleton {
         meshing: Meshing,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<MeshParts<'py>> {
-        let mut options = meshing.options()?;
-        let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-            options.limits.cancel = Some(watch.token());
-            let reference = self.1.as_ref();
-            mesh_neuron(&self.0, &MeshOptions { progress: Some(&*watch), reference, ..options })
-        })?;
-        mesh_parts(py, found.map_err(Raise::raise)?)
+        mesh_parts(py, self.run(py, meshing, progress, mesh_neuron)?)
     }
 
     /// Whether there is a mesh as asked, and where and why not.
@@ -112,13 +125,7 @@ impl NeuronSkeleton {
         meshing: Meshing,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<(Option<bool>, String)> {
-        let mut options = meshing.options()?;
-        let found = wait::run(py, progress, |watch: &mut Watch<'_, Share>| {
-            options.limits.cancel = Some(watch.token());
-            let reference = self.1.as_ref();
-            meshability(&self.0, &MeshOptions { progress: Some(&*watch), reference, ..options })
-        })?;
-        let found = found.map_err(Raise::raise)?;
+        let found = self.run(py, meshing, progress, meshability)?;
         Ok((found.meshable, written(&found.problems)?))
     }
 
