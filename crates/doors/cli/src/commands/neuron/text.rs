@@ -108,6 +108,8 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
     let mut page = Page::new();
     let number = |n: usize| grouped(n as u64);
     let of_skeleton = report.skeleton.as_ref().map(|skeleton| match skeleton.problems.len() {
+        // Only those of the file are known then.
+        0 if report.is_check && report.meshable.is_none() => "the file has no defects".to_owned(),
         0 => "no problems".to_owned(),
         1 => "1 problem".to_owned(),
         n => format!("{} problems", number(n)),
