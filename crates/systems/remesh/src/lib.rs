@@ -7,6 +7,8 @@
 //! | [`DynamicMesh`] | halfedge connectivity that can be edited |
 //! | [`Carrier`] | texture coordinates and colours on the result |
 
+mod anchors;
+mod angles;
 mod batch;
 mod candidates;
 mod carried;
@@ -19,6 +21,7 @@ mod curvature;
 mod edit;
 mod face_tree;
 mod features;
+mod fit;
 mod flips;
 mod guard;
 mod held;
@@ -26,6 +29,7 @@ mod improve;
 mod isotropic;
 mod least_faces;
 mod lengths;
+mod local;
 mod marked;
 mod near;
 mod places;
@@ -36,6 +40,7 @@ mod reference;
 mod remesh_options;
 mod request;
 mod run;
+mod samples;
 mod schedule;
 #[cfg(feature = "figures")]
 pub mod show;
@@ -47,6 +52,7 @@ mod smooth;
 mod splits;
 mod star;
 mod trial;
+mod untangle;
 mod within;
 
 pub use carried::{Carrier, CarryError, CornerValues};

@@ -1,20 +1,24 @@
 //! Remeshing from the input to the report.
 
+mod apart;
 mod staying;
 
+use super::anchors::Anchors;
 use super::connectivity::DynamicMesh;
 use super::features::Curves;
-use super::guard::{IntersectionCount, Intersections};
 use super::held::{RISKY, is_rough, keep_creases};
 use super::isotropic::{finish, iterate};
 use super::lengths::NotWithin;
+use super::local::Local;
 use super::marked::Marked;
 use super::places::Places;
 use super::quality::Quality;
 use super::reference::Reference;
 use super::remesh_options::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
+use super::samples::samples;
 use super::sizing::{self, Lengths};
 use super::smooth::area_vector;
+use apart::Avoided;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::Rounding;
@@ -29,9 +33,18 @@ const LOCAL_SHARE: f64 = 0.9999;
 /// input's own creases and folds stand out: shorter edges would only follow these.
 const MOST_GROWTH: f64 = 2.0;
 
-/// Where faces of the result would intersect that of the input do not, it stays within the first of these shares of the least target
-/// length, and of the distance asked for, with which they do not.
-const NEAR: [f64; 3] = [0.05, 0.005, 0.0005];
+/// Iterations after which vertices are held where the surface does not reach the input, and how many must follow: each loses a ring of
+/// vertices at a tip at most.
+const ANCHORED: [usize; 4] = [0, 1, 3, 6];
+const AFTER_ANCHORS: usize = 3;
+
+/// In the end angles below the first of these, in degrees, are raised where the surface moves by at most the first share of the target
+/// length, then those that are still below the second.
+const RAISED: [f64; 2] = [40.0, 28.0];
+const MOVED: [f64; 2] = [0.25, 0.5];
+
+/// Times that both what is poor and what intersects is changed in the end: the one may make the other.
+const LAST_ROUNDS: usize = 2;
 
 /// Creases at which a distance asks for edges shorter than this many times their target are kept from the start.
 const MUCH_SHORTER: f64 = 0.5;
@@ -41,16 +54,19 @@ const MUCH_SHORTER: f64 = 0.5;
 /// # Shapes and units
 /// An oriented manifold mesh, with or without boundary, of any number of components; lengths in its unit.
 /// # Definition
-/// Each iteration splits edges longer than 4/3 of their target (those of long thin faces first, with flips between), collapses those shorter than 4/5, flips edges towards valence 6, and
-/// moves vertices towards the middle of their neighbours in their tangent plane, then to the nearest point of the input. The last rounds
-/// flip and move only. Topology does not change. Boundaries, creases and selected edges stay curves on the curves of
+/// Each iteration splits edges longer than 4/3 of their target (those of long thin faces first, with flips between), collapses those
+/// shorter than 4/5, flips edges towards valence 6, and moves vertices towards the middle of their neighbours in their tangent plane, then
+/// to the nearest point of the input. After some iterations vertices are put, and held, where the surface does not reach the input, as at
+/// tips that are narrower than edges are long. The last rounds flip and move only. In the end small angles are raised, great distances
+/// lowered and faces that intersect parted, at one place after the other. Topology does not change. Boundaries, creases and selected edges stay curves on the curves of
 /// the input; their corners and selected vertices stay where they are.
 /// # Accuracy
 /// What the report says of the distance was measured by [`symmetric_hausdorff`](pompeiu_hausdorff::symmetric_hausdorff), rounding included. With
 /// [`within`](RemeshOptions::within) its upper end is at most that length, or there is no result: where faces are farther away,
 /// edges of the input are held, and then given up by operations that each keep the distance, with less regular faces.
 /// # Limits
-/// Lengths are targets. No least angle is promised: at corners of features there may be none. Where two sheets are nearer to each
+/// Lengths are targets. No least angle is promised: at corners of features there may be none, and at the tip of a slender cone it is
+/// what the cone allows. Where two sheets are nearer to each
 /// other than edges are long they may intersect; see [`self_intersections`](pompeiu_core::spatial::self_intersections).
 /// # Errors
 /// [`RemeshError`].
@@ -90,6 +106,10 @@ struct Work<'w> {
     first: Option<Marked>,
     /// Whether that distance asks for shorter edges than the faces of the input have.
     is_rough: bool,
+    /// Where faces of a result intersected.
+    avoided: Avoided,
+    /// The surface before its angles were raised and its distance was lowered.
+    unimproved: Option<Marked>,
     iterations: usize,
 }
 
@@ -164,6 +184,8 @@ impl<'w> Work<'w> {
             surface,
             first,
             is_rough,
+            avoided: Avoided::default(),
+            unimproved: None,
             iterations: 0,
         })
     }
@@ -208,39 +230,12 @@ impl<'w> Work<'w> {
         })
     }
 
-    /// The mesh in its own place, with the number of pairs of faces that intersect. Where these are new and are to be refused, the
-    /// input is remeshed near to itself, which leaves sheets apart from each other.
-    fn result(&mut self) -> Result<(TriMesh, Option<IntersectionCount>), RemeshError> {
-        let places = self.places;
-        let brought_out = |surface: &Marked| {
-            let mut result = surface.mesh.clone();
-            places.bring_out(&mut result);
-            result.to_mesh()
-        };
-        let guard = self.options.intersections.after(self.control.reason());
-        let mesh = brought_out(&self.surface)?;
-        let mut found = guard.of(&mesh, self.input).map(|count| (mesh, count));
-        if guard != Intersections::RefuseNew {
-            return Ok(found?);
-        }
-        let shortest =
-            self.surface.length.iter().fold(f64::INFINITY, |least, &l| if l < least { l } else { least });
-        let within = self.options.within.map_or(shortest, |d| self.frame.length_in(d));
-        for share in NEAR {
-            if found.is_ok() {
-                break;
-            }
-            self.stay_within(share * if within < shortest { within } else { shortest }, None)?;
-            let mesh = brought_out(&self.surface)?;
-            let guard = self.options.intersections.after(self.control.reason());
-            found = guard.of(&mesh, self.input).map(|count| (mesh, count));
-        }
-        Ok(found?)
-    }
-
     /// Some iterations, and the last rounds.
     fn iterate(&mut self, count: usize) -> Result<(), RemeshError> {
         let reference = self.options.project.then_some(&self.reference);
+        let mut samples = if reference.is_some() { samples(&self.copy) } else { Vec::new() };
+        samples.retain(|sample| !self.avoided.is_near(sample));
+        let mut anchors = Anchors::new(&samples);
         for i in 0..count {
             self.report("remeshing", i as f64 / count as f64);
             if self.control.is_stopped() {
@@ -249,9 +244,25 @@ impl<'w> Work<'w> {
             iterate(&mut self.surface, reference, self.options.most_faces, &self.control)
                 .map_err(|_| self.too_many())?;
             self.iterations += 1;
+            if reference.is_some() && ANCHORED.contains(&i) && i + AFTER_ANCHORS < count {
+                anchors.hold_far(&mut self.surface)?;
+            }
         }
         if !self.control.is_stopped() {
             finish(&mut self.surface, reference);
+        }
+        anchors.release(&mut self.surface);
+        if let Some(reference) = reference.filter(|_| !self.control.is_stopped()) {
+            let mut before = self.surface.clone();
+            let mut local = Local::new(&mut self.surface, reference);
+            local.raise_angles(RAISED[0], MOVED[0]);
+            local.lower_distance(&samples)?;
+            for _ in 0..LAST_ROUNDS {
+                local.raise_angles(RAISED[1], MOVED[1]);
+                local.untangle()?;
+            }
+            self.places.settle(&mut before.mesh);
+            self.unimproved = Some(before);
         }
         self.places.settle(&mut self.surface.mesh);
         Ok(())

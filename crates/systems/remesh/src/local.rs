@@ -1,0 +1,164 @@
+//! Changes of a remeshed surface at one place after the other: what those that raise angles and those that lower distances share.
+
+use super::candidates::Triangle;
+use super::marked::Marked;
+use super::reference::Reference;
+use super::smooth::{area_vector, keeps_normal};
+use glam::DVec3;
+use pompeiu_core::geom::point_triangle::distance_sq;
+use pompeiu_core::spatial::bvh::{Slot, Workspace};
+
+/// Directions in which a vertex is moved.
+const DIRECTIONS: u32 = 8;
+
+/// Times that a step in vain is halved.
+const HALVINGS: usize = 5;
+
+/// Cosine between the normals of both faces of an edge after a flip, at least.
+const LEAST_COSINE: f64 = 0.5;
+
+/// A surface that is changed near the input.
+pub(super) struct Local<'s> {
+    pub(super) surface: &'s mut Marked,
+    pub(super) reference: &'s Reference<'s>,
+    workspace: Workspace,
+}
+
+/// The faces around a vertex, with the corner that it is.
+pub(super) struct Fan {
+    pub(super) faces: Vec<Triangle>,
+    corners: Vec<usize>,
+}
+
+impl Fan {
+    pub(super) fn new(surface: &Marked, v: u32) -> Self {
+        let (faces, corners) =
+            surface.mesh.halfedges_from(v).map(|h| (surface.triangle(h / 3), (h % 3) as usize)).unzip();
+        Self { faces, corners }
+    }
+
+    /// The faces with the vertex at a position.
+    pub(super) fn with(&self, position: DVec3) -> Self {
+        let mut faces = self.faces.clone();
+        for (face, &corner) in faces.iter_mut().zip(&self.corners) {
+            face[corner] = position;
+        }
+        Self { faces, corners: self.corners.clone() }
+    }
+
+    /// Whether no face turned over.
+    pub(super) fn keeps_normals(&self, before: &Self) -> bool {
+        before.faces.iter().zip(&self.faces).all(|(old, new)| keeps_normal(*old, *new))
+    }
+
+    /// The middle of each face, and that of the edge to its next corner.
+    pub(super) fn middles(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.faces
+            .iter()
+            .zip(&self.corners)
+            .flat_map(|(face, &corner)| [middle(face), 0.5 * (face[corner] + face[(corner + 1) % 3])])
+    }
+}
+
+impl<'s> Local<'s> {
+    pub(super) fn new(surface: &'s mut Marked, reference: &'s Reference<'s>) -> Self {
+        Self { surface, reference, workspace: Workspace::default() }
+    }
+
+    /// The point of the input nearest to another one, with its face, searched from a face believed near.
+    pub(super) fn project(&mut self, p: DVec3, near: Slot) -> (DVec3, Slot) {
+        let found = self.reference.project(p, near, &mut self.workspace);
+        (found.position, found.slot)
+    }
+
+    /// The greatest distance of points from the input; ends with one that is at least `enough`.
+    pub(super) fn farthest(&mut self, points: impl Iterator<Item = DVec3>, near: Slot, enough: f64) -> f64 {
+        let mut most = 0.0;
+        for p in points {
+            let distance = self.project(p, near).0.distance(p);
+            most = if distance > most { distance } else { most };
+            if most >= enough {
+                break;
+            }
+        }
+        most
+    }
+
+    /// Searches the input around a vertex for where a measure is least, if it is less than some value anywhere.
+    ///
+    /// The measure takes the faces around the vertex, a face of the input near it, and the least value so far, which it need not
+    /// tell from any greater one.
+    pub(super) fn search(
+        &mut self,
+        v: u32,
+        fan: &Fan,
+        step: f64,
+        mut least: f64,
+        mut measure: impl FnMut(&mut Self, &Fan, Slot, f64) -> f64,
+    ) -> Option<(DVec3, Slot)> {
+        let length = self.surface.length[v as usize];
+        let normal = fan.faces.iter().map(|face| area_vector(*face)).sum::<DVec3>().try_normalize()?;
+        let (x, y) = normal.any_orthonormal_pair();
+        let (mut at, mut near) = (self.surface.mesh.positions[v as usize], self.surface.near[v as usize]);
+        let mut found = None;
+        let mut step = step * length;
+        for _ in 0..=HALVINGS {
+            let mut is_better = false;
+            for k in 0..DIRECTIONS {
+                let angle = std::f64::consts::TAU * f64::from(k) / f64::from(DIRECTIONS);
+                let p = at + step * (libm::cos(angle) * x + libm::sin(angle) * y);
+                let (position, slot) = self.project(p, near);
+                if position.distance_squared(p) > length * length {
+                    continue;
+                }
+                let value = measure(self, &fan.with(position), slot, least);
+                if value < least {
+                    (least, at, near, is_better) = (value, position, slot, true);
+                    found = Some((at, near));
+                }
+            }
+            if !is_better {
+                step *= 0.5;
+            }
+        }
+        found
+    }
+}
+
+pub(super) fn middle(face: &Triangle) -> DVec3 {
+    (face[0] + face[1] + face[2]) / 3.0
+}
+
+/// The distance of a point from the nearest of some faces.
+pub(super) fn distance_from(p: DVec3, faces: &[Triangle]) -> f64 {
+    let squares = faces.iter().map(|face| {
+        let [a, b, c] = face.map(|q| q.to_array());
+        distance_sq(p.to_array(), a, b, c)
+    });
+    squares.fold(f64::INFINITY, |least, x| if x < least { x } else { least }).sqrt()
+}
+
+/// The sine of the least angle of a triangle.
+pub(super) fn sine(face: &Triangle) -> f64 {
+    let [a, b, c] = *face;
+    let mut squares = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
+    squares.sort_by(f64::total_cmp);
+    // The least angle lies between the two longer sides.
+    let product = (squares[1] * squares[2]).sqrt();
+    if product > 0.0 { area_vector(*face).length() / product } else { 0.0 }
+}
+
+/// The sine of the least angle of some faces.
+pub(super) fn least_sine(faces: &[Triangle]) -> f64 {
+    faces.iter().map(sine).fold(1.0, |least, x| if x < least { x } else { least })
+}
+
+/// The faces on both sides of an edge with these corners, before and after a flip; none if they would be folded then.
+pub(super) fn flipped([u, v, a, b]: [DVec3; 4]) -> Option<[[Triangle; 2]; 2]> {
+    let (old, new) = ([[u, v, a], [v, u, b]], [[a, u, b], [b, v, a]]);
+    let [n, m] = new.map(area_vector);
+    let all = area_vector(old[0]) + area_vector(old[1]);
+    let is_smooth =
+        n.dot(m) >= LEAST_COSINE * n.length() * m.length() && n.dot(all) > 0.0 && m.dot(all) > 0.0;
+    is_smooth.then_some([old, new])
+}
