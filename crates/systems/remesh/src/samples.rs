@@ -70,6 +70,22 @@ fn is_sharp(input: &Marked, h: u32) -> bool {
     input.mesh.twin_of(h).is_some_and(|t| normal(h / 3).distance_squared(normal(t / 3)) > SHARP * SHARP)
 }
 
+/// Places where nothing is to be held.
+#[derive(Default)]
+pub(super) struct Avoided {
+    pub(super) places: Vec<DVec3>,
+    /// The distance from them, in target lengths.
+    pub(super) beside: f64,
+}
+
+impl Avoided {
+    /// Whether a sample is near one.
+    pub(super) fn is_near(&self, sample: &Sample) -> bool {
+        let most = self.beside * sample.length;
+        self.places.iter().any(|p| sample.position.distance_squared(*p) <= most * most)
+    }
+}
+
 /// What is nearest to a sample on a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reached {

@@ -4,7 +4,6 @@ use super::Work;
 use crate::guard::{IntersectionCount, Intersections, Intersects};
 use crate::marked::Marked;
 use crate::remesh_options::RemeshError;
-use crate::samples::Sample;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::spatial::self_intersections;
@@ -18,22 +17,6 @@ const BESIDE: [f64; 2] = [1.0, 3.0];
 
 /// Places that are taken note of at a time, at most.
 const MOST_PLACES: usize = 256;
-
-/// Places where nothing is to be held.
-#[derive(Default)]
-pub(super) struct Avoided {
-    places: Vec<DVec3>,
-    /// The distance from them, in target lengths.
-    beside: f64,
-}
-
-impl Avoided {
-    /// Whether a sample is near one.
-    pub(super) fn is_near(&self, sample: &Sample) -> bool {
-        let most = self.beside * sample.length;
-        self.places.iter().any(|p| sample.position.distance_squared(*p) <= most * most)
-    }
-}
 
 /// A mesh, with the number of pairs of its faces that intersect.
 type Checked = (TriMesh, Option<IntersectionCount>);
