@@ -62,9 +62,8 @@ fn decide(coefficients: &Coefficients, doubt: f64, depth: usize) -> Jacobian {
         return Jacobian::Undecided;
     }
     let mut result = Jacobian::Positive;
-    for part in 0..8 {
-        let half = halve(&halve(&halve(coefficients, 0, part & 1), 1, part >> 1 & 1), 2, part >> 2);
-        match decide(&half, doubt, depth - 1) {
+    for part in &eighths(coefficients) {
+        match decide(part, doubt, depth - 1) {
             Jacobian::Folded => return Jacobian::Folded,
             Jacobian::Undecided => result = Jacobian::Undecided,
             Jacobian::Positive => (),
@@ -73,9 +72,9 @@ fn decide(coefficients: &Coefficients, doubt: f64, depth: usize) -> Jacobian {
     result
 }
 
-/// The coefficients over one half of the cell along an axis, by de Casteljau's algorithm.
-fn halve(from: &Coefficients, axis: usize, side: usize) -> Coefficients {
-    let mut to = *from;
+/// The coefficients over both halves of the cell along an axis, by de Casteljau's algorithm.
+fn halves(from: &Coefficients, axis: usize) -> [Coefficients; 2] {
+    let [mut first, mut second] = [*from; 2];
     for p in 0..3 {
         for q in 0..3 {
             let at = |k: usize| match axis {
@@ -90,14 +89,26 @@ fn halve(from: &Coefficients, axis: usize, side: usize) -> Coefficients {
             let (a, b, c) = (get(0), get(1), get(2));
             let (ab, bc) = (0.5 * (a + b), 0.5 * (b + c));
             let middle = 0.5 * (ab + bc);
-            let values = if side == 0 { [a, ab, middle] } else { [middle, bc, c] };
-            for (k, value) in values.into_iter().enumerate() {
+            for (k, (before, after)) in [(a, middle), (ab, bc), (middle, c)].into_iter().enumerate() {
                 let [i, j, l] = at(k);
-                to[i][j][l] = value;
+                first[i][j][l] = before;
+                second[i][j][l] = after;
             }
         }
     }
-    to
+    [first, second]
+}
+
+/// The coefficients over the eight parts of the cell between halves along each axis, the first axis fastest.
+fn eighths(from: &Coefficients) -> [Coefficients; 8] {
+    let mut parts = [*from; 8];
+    for axis in 0..3 {
+        let count = 1 << axis;
+        for part in 0..count {
+            [parts[part], parts[part + count]] = halves(&parts[part], axis);
+        }
+    }
+    parts
 }
 
 /// Edges along each axis, by their position along the other two.
@@ -115,22 +126,31 @@ fn edges(corners: &[DVec3; 8]) -> [[[DVec3; 2]; 2]; 3] {
 fn coefficients(corners: &[DVec3; 8]) -> (Coefficients, f64) {
     let edges = edges(corners);
     let [along_u, along_v, along_w] = &edges;
-    let sum =
-        means(|[b1, c1], [a1, c2], [a2, b2]| along_u[b1][c1].dot(along_v[a1][c2].cross(along_w[a2][b2])));
+    let sum = means(along_v, along_w, |v, w| v.cross(*w), along_u, |u, area| u.dot(*area));
     (sum, edges.iter().map(|edges| greatest(edges.as_flattened())).product())
 }
 
-/// The Bernstein coefficients of a product of three functions that are linear along two axes each, from its values for each choice of their
-/// coefficients.
-fn means(of: impl Fn([usize; 2], [usize; 2], [usize; 2]) -> f64) -> Coefficients {
+/// The Bernstein coefficients of a product of three functions that are linear along two axes each, given by their coefficients: the first one's
+/// along the first and third axis, the second one's along the first and second, the third one's along the second and third. `product` multiplies
+/// the first two, and `times` this by the third.
+fn means<V, P>(
+    first: &[[V; 2]; 2],
+    second: &[[V; 2]; 2],
+    product: impl Fn(&V, &V) -> P,
+    third: &[[V; 2]; 2],
+    times: impl Fn(&V, &P) -> f64,
+) -> Coefficients {
     /// 1 / C(2, i).
     const WEIGHT: [f64; 3] = [1.0, 0.5, 1.0];
     let mut sum = [[[0.0; 3]; 3]; 3];
-    for bits in 0..64_usize {
-        let bit = |k: usize| bits >> k & 1;
-        let (b1, c1, a1, c2, a2, b2) = (bit(0), bit(1), bit(2), bit(3), bit(4), bit(5));
-        let (i, j, k) = (a1 + a2, b1 + b2, c1 + c2);
-        sum[i][j][k] += WEIGHT[i] * WEIGHT[j] * WEIGHT[k] * of([b1, c1], [a1, c2], [a2, b2]);
+    for (a2, b2, c2, a1) in (0..16).map(|bits| (bits >> 2 & 1, bits >> 3, bits >> 1 & 1, bits & 1)) {
+        let product = product(&first[a1][c2], &second[a2][b2]);
+        for c1 in 0..2 {
+            for b1 in 0..2 {
+                let (i, j, k) = (a1 + a2, b1 + b2, c1 + c2);
+                sum[i][j][k] += WEIGHT[i] * WEIGHT[j] * WEIGHT[k] * times(&third[b1][c1], &product);
+            }
+        }
     }
     sum
 }
@@ -164,17 +184,15 @@ impl LinearBox {
         Self { coefficients, doubt: ROUNDING * scale, slopes, off }
     }
 
-    fn part(&self, sides: [usize; 3]) -> Self {
-        let mut part = self.clone();
-        for (axis, side) in sides.into_iter().enumerate() {
-            part.coefficients = halve(&part.coefficients, axis, side);
-        }
+    /// The part with these coefficients, on these sides along the axes.
+    fn part(&self, coefficients: Coefficients, sides: [usize; 3]) -> Self {
+        let mut part = Self { coefficients, doubt: self.doubt, slopes: self.slopes, off: self.off };
         for (axis, slopes) in part.slopes.iter_mut().enumerate() {
             let [first, second] = [[1, 2], [0, 2], [0, 1]][axis].map(|other| sides[other]);
             for row in slopes.iter_mut() {
                 row[1 - second] = 0.5 * (row[0] + row[1]);
             }
-            slopes[1 - first] = [0, 1].map(|k| 0.5 * (slopes[0][k] + slopes[1][k]));
+            slopes[1 - first] = [0.5 * (slopes[0][0] + slopes[1][0]), 0.5 * (slopes[0][1] + slopes[1][1])];
         }
         part
     }
@@ -182,11 +200,14 @@ impl LinearBox {
 
 impl ParameterBox for LinearBox {
     fn coefficients(&self, mut act: impl FnMut(f64, f64)) {
-        let lengths: [[[f64; 2]; 2]; 3] =
-            std::array::from_fn(|axis| self.slopes[axis].map(|row| row.map(|v| v.length() + self.off[axis])));
-        let sizes = means(|[b1, c1], [a1, c2], [a2, b2]| {
-            lengths[0][b1][c1] * lengths[1][a1][c2] * lengths[2][a2][b2]
-        });
+        let mut lengths = [[[0.0; 2]; 2]; 3];
+        for ((to, from), off) in lengths.iter_mut().zip(&self.slopes).zip(self.off) {
+            for (length, slope) in to.as_flattened_mut().iter_mut().zip(from.as_flattened()) {
+                *length = slope.length() + off;
+            }
+        }
+        let [along_u, along_v, along_w] = &lengths;
+        let sizes = means(along_v, along_w, |v, w| v * w, along_u, |u, area| u * area);
         let determinants = self.coefficients.as_flattened().as_flattened();
         for (determinant, size) in determinants.iter().zip(sizes.as_flattened().as_flattened()) {
             act(determinant - self.doubt, *size);
@@ -204,7 +225,8 @@ impl ParameterBox for LinearBox {
     }
 
     fn divided(&self) -> [Self; 8] {
-        std::array::from_fn(|k| self.part([k & 1, k >> 1 & 1, k >> 2]))
+        let coefficients = eighths(&self.coefficients);
+        std::array::from_fn(|k| self.part(coefficients[k], [k & 1, k >> 1 & 1, k >> 2]))
     }
 }
 

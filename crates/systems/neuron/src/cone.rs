@@ -25,21 +25,7 @@ impl RoundCone {
     /// The centre of the nearest ball is at `x + k h / √(1 − k²)` along the axis, where `x` is the position of the point along the
     /// axis, `h` its distance from it, and `k` the slope of the radius.
     pub fn distance(&self, p: DVec3) -> (f64, f64) {
-        let [a, b] = self.ends;
-        let [ra, rb] = self.radii;
-        let axis = b - a;
-        let length = axis.length();
-        let slope = (rb - ra) / length;
-        // One ball contains all others, or the axis has no length.
-        if slope.is_nan() || slope.abs() >= 1.0 {
-            let (da, db) = (p.distance(a) - ra, p.distance(b) - rb);
-            return if da <= db { (da, 0.0) } else { (db, 1.0) };
-        }
-        let along = (p - a).dot(axis) / length;
-        let beside = ((p - a).length_squared() - along * along).max(0.0).sqrt();
-        let place = (along + slope * beside / (1.0 - slope * slope).sqrt()).clamp(0.0, length);
-        let t = place / length;
-        (p.distance(a + axis * t) - (ra + (rb - ra) * t), t)
+        MeasuredCone::new(*self).distance(p)
     }
 
     /// The least value of `|p(s) − q(t)| − r(s) − r(t)` over the balls of both cones: negative exactly if they overlap, and then
@@ -82,6 +68,42 @@ impl RoundCone {
         let [a, b] = self.ends;
         let [ra, rb] = self.radii.map(DVec3::splat);
         [(a - ra).min(b - rb), (a + ra).max(b + rb)]
+    }
+}
+
+/// A cone with what distances of many points from it have in common.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MeasuredCone {
+    pub(crate) shape: RoundCone,
+    length: f64,
+    /// The slope of the radius, and the cosine of this angle.
+    slope: f64,
+    cosine: f64,
+}
+
+impl MeasuredCone {
+    #[inline]
+    pub(crate) fn new(shape: RoundCone) -> Self {
+        let length = (shape.ends[1] - shape.ends[0]).length();
+        let slope = (shape.radii[1] - shape.radii[0]) / length;
+        Self { shape, length, slope, cosine: (1.0 - slope * slope).sqrt() }
+    }
+
+    /// That of [`RoundCone::distance`].
+    #[inline]
+    pub(crate) fn distance(&self, p: DVec3) -> (f64, f64) {
+        let Self { shape: RoundCone { ends: [a, b], radii: [ra, rb] }, length, slope, cosine } = *self;
+        // One ball contains all others, or the axis has no length.
+        if slope.is_nan() || slope.abs() >= 1.0 {
+            let (da, db) = (p.distance(a) - ra, p.distance(b) - rb);
+            return if da <= db { (da, 0.0) } else { (db, 1.0) };
+        }
+        let axis = b - a;
+        let along = (p - a).dot(axis) / length;
+        let beside = ((p - a).length_squared() - along * along).max(0.0).sqrt();
+        let place = (along + slope * beside / cosine).clamp(0.0, length);
+        let t = place / length;
+        (p.distance(a + axis * t) - (ra + (rb - ra) * t), t)
     }
 }
 

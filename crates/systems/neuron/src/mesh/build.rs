@@ -127,7 +127,7 @@ pub(super) fn area_factor(sides: usize) -> f64 {
 /// # Errors
 /// [`MeshError`]: a sample without a radius, nodes that cannot be meshed, memory, a limit on time.
 /// # Cost
-/// Linear in the length of the tree in radii; about 0.3 s per node, in parallel.
+/// Linear in the length of the tree in radii; about 0.15 s per node, in parallel.
 /// # Source
 /// The untangling energy: `garanzha_foldover_2021`.
 pub fn mesh_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {

@@ -1,7 +1,8 @@
 //! The shape energy of tricubic cells.
 
-use super::energy::{Shape, minimise};
-use super::wall::Wall;
+use super::energy::minimise;
+use super::shape::Shape;
+use super::wall::{NearWalls, Wall};
 use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::{bernstein, bernstein_slopes, interpolate};
@@ -43,7 +44,13 @@ pub(super) fn lagrange_table(places: &[f64]) -> Vec<Row> {
 }
 
 impl CubicEnergy<'_> {
-    fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], at: &mut [DVec3]) -> f64 {
+    /// The energy; writes its gradient with respect to the free positions to `gradient`, and to all of them to `at`.
+    fn value(
+        &self,
+        (positions, near): (&[DVec3], &mut NearWalls),
+        gradient: &mut [DVec3],
+        at: &mut [DVec3],
+    ) -> f64 {
         at.fill(DVec3::ZERO);
         let mut total = 0.0;
         let per_point = 1.0 / self.table.len().pow(3) as f64;
@@ -64,7 +71,7 @@ impl CubicEnergy<'_> {
             }
         }
         if let Some((wall, places, weight)) = self.wall {
-            wall.add_cost((places, weight), self.scale, positions, &mut total, at);
+            wall.add_cost((places, weight), self.scale, (positions, near), &mut total, at);
         }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];
@@ -87,8 +94,9 @@ impl CubicEnergy<'_> {
     /// Minimises the energy over the free positions.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
         let mut scratch = vec![DVec3::ZERO; positions.len()];
+        let mut near = NearWalls::new(self.wall.map_or(0, |(_, on_wall, _)| on_wall.len()));
         minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
-            self.value(positions, gradient, &mut scratch)
+            self.value((positions, &mut near), gradient, &mut scratch)
         })
     }
 }
@@ -156,13 +164,13 @@ mod tests {
             let energy =
                 CubicEnergy { cells: &cells, free: &free, shape, wall, scale, sizes, table, control };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 4], vec![DVec3::ZERO; 4]);
-            let mut scratch = vec![DVec3::ZERO; 64];
-            assert!(energy.value(&positions, &mut gradient, &mut scratch).is_finite());
+            let (mut scratch, mut near) = (vec![DVec3::ZERO; 64], NearWalls::new(0));
+            assert!(energy.value((&positions, &mut near), &mut gradient, &mut scratch).is_finite());
             for (k, &v) in free.iter().enumerate() {
                 for axis in 0..3 {
                     let mut at = |shift: f64| {
                         positions[v as usize][axis] += shift;
-                        let value = energy.value(&positions, &mut other, &mut scratch);
+                        let value = energy.value((&positions, &mut near), &mut other, &mut scratch);
                         positions[v as usize][axis] -= shift;
                         value
                     };

@@ -1,10 +1,10 @@
 //! The mesh around a node with tricubic cells.
 
 use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
-use super::energy::Shape;
 use super::node::{Cluster, size_of};
 use super::node_mesh::NodeMesh;
 use super::section::Section;
+use super::shape::Shape;
 use super::tube::Tube;
 use super::wall::Wall;
 use glam::DVec3;

@@ -1,7 +1,9 @@
 //! The shape energy of cells, and its minimisation.
 
+use super::energy_lanes::{Corners, LANES, Lanes, costs};
+use super::shape::Shape;
 use super::skin::Skin;
-use super::wall::{Middle, Wall};
+use super::wall::{Middle, NearWalls, Wall};
 use glam::DVec3;
 use pompeiu_core::run::Control;
 
@@ -27,120 +29,64 @@ pub(super) struct Energy<'e> {
     pub(super) control: &'e Control,
 }
 
-/// The energy density of a Jacobian matrix with columns a, b, c.
-#[derive(Clone, Copy)]
-pub(super) enum Shape {
-    /// `(|J|² / (3 χ(det)^{2/3}))^{3/2}` with `χ(d) = (d + √(d² + ε²)) / 2`: finite for folded cells.
-    MeanRatio { epsilon: f64 },
-    /// `(|a| |b| |c| / det)^power`: infinite for folded cells.
-    Scaled { power: i32 },
-}
-
-impl Shape {
-    /// The energy density and its derivatives with respect to the columns.
-    pub(super) fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
-        let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
-        let det = a.dot(cofactors[0]);
-        match self {
-            Self::MeanRatio { epsilon } => {
-                let root = (det * det + epsilon * epsilon).sqrt();
-                // Avoids cancellation if the determinant is negative.
-                let chi = if det > 0.0 {
-                    0.5 * (det + root)
-                } else {
-                    0.5 * epsilon * epsilon / (root - det).max(1e-300)
-                };
-                let slope = chi / root.max(1e-300);
-                let norm = a.length_squared() + b.length_squared() + c.length_squared();
-                // (norm / 3)^1.5 / chi
-                let power = (norm / 3.0).sqrt();
-                let cost = power * norm / 3.0 / chi;
-                let by_norm = 0.5 * power / chi;
-                let by_det = -cost / chi * slope;
-                let columns = [a, b, c];
-                (cost, [0, 1, 2].map(|k| columns[k] * (2.0 * by_norm) + cofactors[k] * by_det))
-            }
-            Self::Scaled { power } => {
-                let columns = [a, b, c];
-                let size: f64 = columns.iter().map(|e| e.length()).product();
-                if det <= 1e-9 * size || det <= 0.0 {
-                    return (f64::INFINITY, [DVec3::ZERO; 3]);
-                }
-                let cost = (size / det).powi(power);
-                let factor = cost * f64::from(power);
-                (
-                    cost,
-                    [0, 1, 2]
-                        .map(|k| (columns[k] / columns[k].length_squared() - cofactors[k] / det) * factor),
-                )
-            }
-        }
-    }
+/// What an energy keeps from one evaluation to the next.
+pub(super) struct Scratch {
+    /// The gradient with respect to all vertices.
+    at: Vec<DVec3>,
+    /// The parts of the wall near the vertices on it, near the middles, and near the points of faces.
+    near: [NearWalls; 3],
+    /// Some cells, their costs at points, and the derivatives of their sum.
+    corners: Corners,
+    values: Vec<Lanes>,
+    by_corner: Corners,
 }
 
 impl Energy<'_> {
+    /// For evaluations with this many vertices.
+    pub(super) fn scratch(&self, vertices: usize) -> Scratch {
+        let on_wall = self.wall.map_or(0, |(_, on_wall, _)| on_wall.len());
+        let points = self.skin.map_or(0, Skin::points);
+        let near = [on_wall, self.middles.0.len(), points].map(NearWalls::new);
+        let corners = [[[0.0; LANES]; 3]; 8];
+        Scratch { at: vec![DVec3::ZERO; vertices], near, corners, values: Vec::new(), by_corner: corners }
+    }
+
     /// The energy; writes its gradient with respect to the free vertices to `gradient`.
-    pub(super) fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], at: &mut [DVec3]) -> f64 {
+    pub(super) fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], scratch: &mut Scratch) -> f64 {
+        let Scratch { at, near: [near_vertices, near_middles, near_points], corners, values, by_corner } =
+            scratch;
         at.fill(DVec3::ZERO);
         let mut total = 0.0;
         let per_point = 1.0 / (self.places.len().pow(3) as f64);
-        for (cell, &size) in self.cells.iter().zip(self.sizes) {
-            let p = cell.map(|v| positions[v as usize] / size);
-            let mut by_corner = [DVec3::ZERO; 8];
-            for &u in self.places {
-                for &v in self.places {
-                    for &w in self.places {
-                        let (s, t, r) = (1.0 - u, 1.0 - v, 1.0 - w);
-                        let along_u = [t * r, v * r, t * w, v * w];
-                        let along_v = [s * r, u * r, s * w, u * w];
-                        let along_w = [s * t, u * t, u * v, s * v];
-                        let a = (p[1] - p[0]) * along_u[0]
-                            + (p[2] - p[3]) * along_u[1]
-                            + (p[5] - p[4]) * along_u[2]
-                            + (p[6] - p[7]) * along_u[3];
-                        let b = (p[3] - p[0]) * along_v[0]
-                            + (p[2] - p[1]) * along_v[1]
-                            + (p[7] - p[4]) * along_v[2]
-                            + (p[6] - p[5]) * along_v[3];
-                        let c = (p[4] - p[0]) * along_w[0]
-                            + (p[5] - p[1]) * along_w[1]
-                            + (p[6] - p[2]) * along_w[2]
-                            + (p[7] - p[3]) * along_w[3];
-                        let (cost, [da, db, dc]) = self.shape.cost([a, b, c]);
-                        if !cost.is_finite() {
-                            return f64::INFINITY;
-                        }
-                        total += cost * per_point;
-                        let mut edge = |from: usize, to: usize, slope: DVec3| {
-                            by_corner[to] += slope;
-                            by_corner[from] -= slope;
-                        };
-                        edge(0, 1, da * along_u[0]);
-                        edge(3, 2, da * along_u[1]);
-                        edge(4, 5, da * along_u[2]);
-                        edge(7, 6, da * along_u[3]);
-                        edge(0, 3, db * along_v[0]);
-                        edge(1, 2, db * along_v[1]);
-                        edge(4, 7, db * along_v[2]);
-                        edge(5, 6, db * along_v[3]);
-                        edge(0, 4, dc * along_w[0]);
-                        edge(1, 5, dc * along_w[1]);
-                        edge(2, 6, dc * along_w[2]);
-                        edge(3, 7, dc * along_w[3]);
-                    }
+        for (cells, sizes) in self.cells.chunks(LANES).zip(self.sizes.chunks(LANES)) {
+            for lane in 0..LANES {
+                // Places without a cell repeat the last one.
+                let (cell, size) = (cells[lane.min(cells.len() - 1)], sizes[lane.min(cells.len() - 1)]);
+                for (corner, v) in corners.iter_mut().zip(cell) {
+                    let p = positions[v as usize] / size;
+                    (corner[0][lane], corner[1][lane], corner[2][lane]) = (p.x, p.y, p.z);
                 }
             }
-            for (k, &v) in cell.iter().enumerate() {
-                at[v as usize] += by_corner[k] * (per_point / size);
+            costs(corners, self.places, self.shape, values, by_corner);
+            for (lane, (cell, size)) in cells.iter().zip(sizes).enumerate() {
+                for cost in values.iter().map(|costs| costs[lane]) {
+                    if !cost.is_finite() {
+                        return f64::INFINITY;
+                    }
+                    total += cost * per_point;
+                }
+                for (&v, slopes) in cell.iter().zip(&*by_corner) {
+                    let slope = DVec3::new(slopes[0][lane], slopes[1][lane], slopes[2][lane]);
+                    at[v as usize] += slope * (per_point / size);
+                }
             }
         }
         if let Some((wall, vertices, weight)) = self.wall {
-            wall.add_cost((vertices, weight), self.scale, positions, &mut total, at);
-            let (middles, weight) = self.middles;
-            wall.add_middles(middles, weight, positions, &mut total, at);
+            wall.add_cost((vertices, weight), self.scale, (positions, near_vertices), &mut total, at);
+            wall.add_middles(self.middles, (positions, near_middles), &mut total, at);
         }
         if let Some(skin) = self.skin {
-            skin.add_cost(positions, &mut total, at);
+            skin.add_cost((positions, near_points), &mut total, at);
         }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];
@@ -163,7 +109,7 @@ impl Energy<'_> {
 
     /// Minimises the energy over the free vertices.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
-        let mut scratch = vec![DVec3::ZERO; positions.len()];
+        let mut scratch = self.scratch(positions.len());
         minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
             self.value(positions, gradient, &mut scratch)
         })
@@ -302,13 +248,11 @@ mod tests {
             .collect();
         let cells = [[0, 1, 2, 3, 4, 5, 6, 7]];
         let free = [2, 4, 6];
-        let wall = Wall {
-            groups: vec![
-                vec![RoundCone { ends: [DVec3::ZERO, DVec3::X], radii: [0.5, 0.7] }],
-                vec![RoundCone { ends: [DVec3::ZERO, DVec3::Y], radii: [0.4, 0.3] }],
-            ],
-            blend: 0.1,
-        };
+        let groups = vec![
+            vec![RoundCone { ends: [DVec3::ZERO, DVec3::X], radii: [0.5, 0.7] }],
+            vec![RoundCone { ends: [DVec3::ZERO, DVec3::Y], radii: [0.4, 0.3] }],
+        ];
+        let wall = Wall::new(groups, 0.1);
         for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 3 }] {
             let at_first = positions.clone();
             let skin = Skin::new(&wall, &[[1, 2, 6, 5], [4, 5, 6, 7]], &at_first, 0.01);
@@ -325,7 +269,7 @@ mod tests {
                 control: &Control::default(),
             };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 3], vec![DVec3::ZERO; 3]);
-            let mut scratch = vec![DVec3::ZERO; 8];
+            let mut scratch = energy.scratch(8);
             energy.value(&positions, &mut gradient, &mut scratch);
             for (k, &v) in free.iter().enumerate() {
                 for axis in 0..3 {

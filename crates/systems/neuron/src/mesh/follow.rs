@@ -1,7 +1,8 @@
 //! Drawing the wall of a node to the cones where it is too far from them.
 
-use super::energy::{Energy, Shape};
+use super::energy::Energy;
 use super::node_mesh::{NodeMesh, PLACES, quality};
+use super::shape::Shape;
 use super::skin::Skin;
 use super::wall::Wall;
 use pompeiu_core::run::Control;

@@ -3,9 +3,10 @@
 
 use super::assign::{Assignment, assignments};
 use super::core::{Core, library, library_of_balls};
-use super::energy::{Energy, Shape};
+use super::energy::Energy;
 use super::follow::Draft;
 use super::node_mesh::{NodeMesh, PLACES, Section, quality, quality_at_points};
+use super::shape::Shape;
 use super::skin::Skin;
 use super::tube::{End, Tube};
 use super::wall::{Middle, Wall};
@@ -14,6 +15,8 @@ use crate::RoundCone;
 use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::{Refinement, key_weights as weights};
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
 
 /// Half the diagonal of the core square of a section, in radii.
 pub(super) const CORE: f64 = 0.55;
@@ -131,17 +134,7 @@ impl Cluster {
         }
         groups.retain(|group| !group.is_empty());
         groups.extend(self.balls.iter().map(|&(c, r)| vec![RoundCone { ends: [c, c], radii: [r, r] }]));
-        Wall { groups, blend }
-    }
-
-    /// Its wall with the radii of the file, which were multiplied by the factor except for those of balls.
-    fn cones(&self, wall: &Wall, factor: f64) -> Wall {
-        let of_tubes = wall.groups.len() - self.balls.len();
-        let mut groups = wall.groups.clone();
-        for cone in groups[..of_tubes].iter_mut().flatten() {
-            cone.radii = cone.radii.map(|radius| radius / factor);
-        }
-        Wall { groups, blend: wall.blend }
+        Wall::new(groups, blend)
     }
 }
 
@@ -170,8 +163,9 @@ pub(super) fn mesh_node(
     control: &Control,
 ) -> Option<NodeMesh> {
     let wall = cluster.wall(tubes, reach);
-    let cones = factor.map(|factor| cluster.cones(&wall, factor));
-    let plan = Plan { cluster, tubes, reach, wall: &wall, cones: cones.as_ref(), parts, control };
+    // With the radii of the file, which were multiplied by the factor except for those of balls.
+    let cones = factor.map(|factor| wall.divided(factor, cluster.balls.len()));
+    let plan = Plan::new((cluster, tubes, reach), (&wall, cones.as_ref()), parts, control);
     let mut draft = plan.without_cones()?;
     if let Some(cones) = &cones
         && draft.node.quality > 0.0
@@ -189,6 +183,9 @@ pub(super) fn mesh_node(
     Some(draft.node)
 }
 
+/// The index of a core, and the assignment of tubes to its quads.
+type Candidate = (usize, Assignment);
+
 /// A node and how to mesh it.
 struct Plan<'p> {
     cluster: &'p Cluster,
@@ -199,9 +196,28 @@ struct Plan<'p> {
     cones: Option<&'p Wall>,
     parts: usize,
     control: &'p Control,
+    cores: Vec<Core>,
+    /// Positions of the core to try, each with the cores and assignments to try there once they are known.
+    places: Vec<(DVec3, OnceCell<Vec<Candidate>>)>,
+    /// Drafts whose middles follow the wall, by the indices of their position and of their core and assignment.
+    drafts: RefCell<BTreeMap<[usize; 2], Draft>>,
 }
 
-impl Plan<'_> {
+impl<'p> Plan<'p> {
+    fn new(
+        (cluster, tubes, reach): (&'p Cluster, &'p [Tube], &'p [f64]),
+        (wall, cones): (&'p Wall, Option<&'p Wall>),
+        parts: usize,
+        control: &'p Control,
+    ) -> Self {
+        let arms = cluster.ends.len();
+        let cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
+        let places = centres(cluster, tubes, reach, wall);
+        let places = places.into_iter().map(|centre| (centre, OnceCell::new())).collect();
+        let drafts = RefCell::default();
+        Self { cluster, tubes, reach, wall, cones, parts, control, cores, places, drafts }
+    }
+
     /// The mesh of best quality.
     fn without_cones(&self) -> Option<Draft> {
         let quality = |draft: &Draft| draft.node.quality;
@@ -222,16 +238,14 @@ impl Plan<'_> {
         finish: &dyn Fn(&mut Draft),
         goodness: &dyn Fn(&Draft) -> f64,
     ) -> Option<Draft> {
-        let Self { cluster, tubes, reach, wall, .. } = *self;
         let mut best: Option<(f64, Draft)> = None;
-        let arms = cluster.ends.len();
-        let cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
-        for (nth, centre) in centres(cluster, tubes, reach, wall).into_iter().enumerate() {
-            for (index, assignment) in self.candidates(&cores, centre) {
+        for (nth, (centre, candidates)) in self.places.iter().enumerate() {
+            let candidates = candidates.get_or_init(|| self.candidates(&self.cores, *centre));
+            for number in 0..candidates.len() {
                 if self.control.is_stopped() {
                     return best.map(|(_, draft)| draft);
                 }
-                let mut draft = self.build(centre, &cores[index], &assignment, following);
+                let mut draft = self.draft([nth, number], *centre, &candidates[number], following);
                 finish(&mut draft);
                 let good = goodness(&draft);
                 if best.as_ref().is_none_or(|(best, _)| good > *best) {
@@ -248,12 +262,28 @@ impl Plan<'_> {
         best.map(|(_, draft)| draft)
     }
 
+    /// The draft of a core and an assignment at a position, made once if its middles follow the wall: it is asked for again where the wall is far.
+    fn draft(
+        &self,
+        place: [usize; 2],
+        centre: DVec3,
+        (core, assignment): &Candidate,
+        following: f64,
+    ) -> Draft {
+        let make = || self.build(centre, &self.cores[*core], assignment, following);
+        if following == MIDDLES {
+            self.drafts.borrow_mut().entry(place).or_insert_with(make).clone()
+        } else {
+            make()
+        }
+    }
+
     /// Cores and assignments to try, the best first.
-    fn candidates(&self, cores: &[Core], centre: DVec3) -> Vec<(usize, Assignment)> {
+    fn candidates(&self, cores: &[Core], centre: DVec3) -> Vec<Candidate> {
         let cluster = self.cluster;
         let direction = |(end, &s): (&End, &f64)| (end.at(self.tubes, s).0 - centre).normalize_or_zero();
         let directions: Vec<DVec3> = cluster.ends.iter().zip(self.reach).map(direction).collect();
-        let mut found: Vec<(usize, Assignment)> = Vec::new();
+        let mut found: Vec<Candidate> = Vec::new();
         for (index, core) in cores.iter().enumerate() {
             if core.quads.len() > cluster.ends.len() {
                 // A larger core must fit better to justify its cells.

@@ -1,7 +1,6 @@
 //! The distance of faces on the wall of a node from the cones, between their vertices as well.
 
-use super::wall::Wall;
-use crate::RoundCone;
+use super::wall::{NearWalls, Wall};
 use glam::DVec3;
 
 /// Parts of a face along each edge, at whose corners its distance is measured.
@@ -43,7 +42,7 @@ impl Skin {
             let centre = corners.iter().sum::<DVec3>() / 4.0;
             let radius = wall.radius(centre);
             let reach = corners.iter().map(|p| p.distance(centre)).fold(0.0, f64::max) + MOVE * radius;
-            let near = near(wall, centre, reach);
+            let near = wall.near(centre, reach);
             let mut depths = [1.0; POINTS];
             for (depth, weights) in depths.iter_mut().zip(weights()) {
                 let (distance, slope) = near.distance(at(&corners, &weights));
@@ -52,6 +51,11 @@ impl Skin {
             Face { vertices: *vertices, near, radius, depths }
         };
         Self { faces: faces.iter().map(face).collect(), weight }
+    }
+
+    /// Number of points.
+    pub(super) fn points(&self) -> usize {
+        POINTS * self.faces.len()
     }
 
     /// The greatest distance of the points, in radii.
@@ -68,13 +72,18 @@ impl Skin {
     }
 
     /// Adds the cost to an energy, and its derivatives to the gradient with respect to all vertices.
-    pub(super) fn add_cost(&self, positions: &[DVec3], energy: &mut f64, gradient: &mut [DVec3]) {
+    pub(super) fn add_cost(
+        &self,
+        (positions, near): (&[DVec3], &mut NearWalls),
+        energy: &mut f64,
+        gradient: &mut [DVec3],
+    ) {
         let share = self.weight / POINTS as f64;
-        for face in &self.faces {
+        for (index, face) in self.faces.iter().enumerate() {
             let corners = face.vertices.map(|v| positions[v as usize]);
-            for (weights, depth) in weights().zip(face.depths) {
+            for (k, (weights, depth)) in weights().zip(face.depths).enumerate() {
                 let unit = SCALE * face.radius / depth;
-                let (distance, slope) = face.near.distance(at(&corners, &weights));
+                let (distance, slope) = near.distance(POINTS * index + k, &face.near, at(&corners, &weights));
                 let relative = distance / unit;
                 let cube = share * relative * relative * relative;
                 *energy += cube * relative;
@@ -90,22 +99,6 @@ impl Skin {
 /// The distance from the surface over the value of the smooth distance, to first order: outside of a crease, the distance from its bottom.
 fn depth_of(distance: f64, slope: DVec3) -> f64 {
     if distance > 0.0 { (1.0 / slope.length()).min(DEEPEST) } else { 1.0 }
-}
-
-/// The part of a wall that is the same within `reach` of a point.
-fn near(wall: &Wall, centre: DVec3, reach: f64) -> Wall {
-    let of_group = |group: &Vec<RoundCone>| {
-        let distances: Vec<f64> = group.iter().map(|cone| cone.distance(centre).0).collect();
-        let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
-        let pairs = group.iter().zip(distances);
-        let kept = pairs.filter(|(_, distance)| *distance <= least + 2.0 * reach).map(|(cone, _)| *cone);
-        (least, kept.collect::<Vec<_>>())
-    };
-    let groups: Vec<(f64, Vec<RoundCone>)> = wall.groups.iter().map(of_group).collect();
-    let least = groups.iter().map(|(least, _)| *least).fold(f64::INFINITY, f64::min);
-    let limit = least + 2.0 * reach + wall.range();
-    let groups = groups.into_iter().filter(|(least, _)| *least <= limit).map(|(_, group)| group).collect();
-    Wall { groups, blend: wall.blend }
 }
 
 fn at(corners: &[DVec3; 4], weights: &[f64; 4]) -> DVec3 {

@@ -1,6 +1,7 @@
 //! The wall around a node: a smooth union of the tubes that meet there.
 
 use crate::RoundCone;
+use crate::cone::MeasuredCone;
 use glam::DVec3;
 
 /// The middle of a face on the wall, or of an edge, whose vertices are listed twice.
@@ -12,41 +13,64 @@ pub(super) struct Middle {
 }
 
 /// The smooth union of groups of cones.
+#[derive(Clone, Default)]
 pub(super) struct Wall {
     /// The cones of each tube, and balls as cones without length.
-    pub(super) groups: Vec<Vec<RoundCone>>,
+    groups: Vec<Vec<MeasuredCone>>,
     /// Width of the blend, in micrometres.
-    pub(super) blend: f64,
+    blend: f64,
 }
 
 impl Wall {
+    pub(super) fn new(groups: Vec<Vec<RoundCone>>, blend: f64) -> Self {
+        let measured = |group: Vec<RoundCone>| group.into_iter().map(MeasuredCone::new).collect();
+        Self { groups: groups.into_iter().map(measured).collect(), blend }
+    }
+
+    /// The wall whose cones have radii divided by a factor, except for those of the last `balls` groups.
+    pub(super) fn divided(&self, factor: f64, balls: usize) -> Self {
+        let count = self.groups.len() - balls;
+        let divided = |(index, group): (usize, &Vec<MeasuredCone>)| {
+            let factor = if index < count { factor } else { 1.0 };
+            let cone =
+                |cone: &MeasuredCone| RoundCone { radii: cone.shape.radii.map(|r| r / factor), ..cone.shape };
+            group.iter().map(cone).collect()
+        };
+        Self::new(self.groups.iter().enumerate().map(divided).collect(), self.blend)
+    }
+
     /// `−k log Σ exp(−f / k)` over the groups, `f` the distance from the nearest cone of each, and its gradient.
     ///
     /// It is below the least distance by at most `k log n`, so the wall expands by at most that.
     pub(super) fn distance(&self, p: DVec3) -> (f64, DVec3) {
+        let (mut few, mut many) = ([(0.0, DVec3::ZERO); FEW], Vec::new());
+        let found = if let Some(found) = few.get_mut(..self.groups.len()) {
+            found
+        } else {
+            many.resize(self.groups.len(), (0.0, DVec3::ZERO));
+            &mut many[..]
+        };
         let mut nearest = f64::INFINITY;
-        let mut found = Vec::with_capacity(self.groups.len());
-        for group in &self.groups {
-            let mut best = (f64::INFINITY, DVec3::ZERO);
+        for (group, best) in self.groups.iter().zip(&mut *found) {
+            *best = (f64::INFINITY, DVec3::ZERO);
             for cone in group {
                 let (distance, t) = cone.distance(p);
                 if distance < best.0 {
-                    best = (distance, cone.ends[0].lerp(cone.ends[1], t));
+                    *best = (distance, cone.shape.ends[0].lerp(cone.shape.ends[1], t));
                 }
             }
             nearest = nearest.min(best.0);
-            found.push(best);
         }
         let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
-        for (distance, centre) in found {
+        for &(distance, centre) in &*found {
             if distance - nearest > self.range() {
                 continue;
             }
-            let weight = libm::exp((nearest - distance) / self.blend);
+            let weight = if distance == nearest { 1.0 } else { libm::exp((nearest - distance) / self.blend) };
             sum += weight;
             gradient += weight * (p - centre).normalize_or_zero();
         }
-        (nearest - self.blend * libm::log(sum), gradient / sum)
+        if sum == 1.0 { (nearest, gradient) } else { (nearest - self.blend * libm::log(sum), gradient / sum) }
     }
 
     /// Distance beyond the nearest group from which on another one does not change the wall.
@@ -60,12 +84,12 @@ impl Wall {
         &self,
         (vertices, weight): (&[u32], f64),
         scale: f64,
-        positions: &[DVec3],
+        (positions, near): (&[DVec3], &mut NearWalls),
         energy: &mut f64,
         gradient: &mut [DVec3],
     ) {
-        for &v in vertices {
-            let (distance, slope) = self.distance(positions[v as usize]);
+        for (k, &v) in vertices.iter().enumerate() {
+            let (distance, slope) = near.distance(k, self, positions[v as usize]);
             let relative = distance / scale;
             *energy += weight * relative * relative;
             gradient[v as usize] += slope * (2.0 * weight * relative / scale);
@@ -76,15 +100,15 @@ impl Wall {
     /// times the squared distance over its radius.
     pub(super) fn add_middles(
         &self,
-        middles: &[Middle],
-        weight: f64,
-        positions: &[DVec3],
+        (middles, weight): (&[Middle], f64),
+        (positions, near): (&[DVec3], &mut NearWalls),
         energy: &mut f64,
         gradient: &mut [DVec3],
     ) {
-        for Middle { vertices: [a, b, c, d], radius } in middles {
+        for (k, Middle { vertices: [a, b, c, d], radius }) in middles.iter().enumerate() {
             let corners = [a, b, c, d].map(|v| *v as usize);
-            let (distance, slope) = self.distance(corners.iter().map(|v| positions[*v]).sum::<DVec3>() / 4.0);
+            let middle = corners.iter().map(|v| positions[*v]).sum::<DVec3>() / 4.0;
+            let (distance, slope) = near.distance(k, self, middle);
             let relative = distance / radius;
             *energy += weight * relative * relative;
             let slope = slope * (0.5 * weight * relative / radius);
@@ -94,13 +118,31 @@ impl Wall {
         }
     }
 
+    /// The part of the wall that is the same within `reach` of a point.
+    pub(super) fn near(&self, centre: DVec3, reach: f64) -> Self {
+        let of_group = |group: &Vec<MeasuredCone>| {
+            let distances: Vec<f64> = group.iter().map(|cone| cone.distance(centre).0).collect();
+            let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+            let pairs = group.iter().zip(distances);
+            let kept = pairs.filter(|(_, distance)| *distance <= least + 2.0 * reach).map(|(cone, _)| *cone);
+            (least, kept.collect::<Vec<_>>())
+        };
+        let groups: Vec<(f64, Vec<MeasuredCone>)> = self.groups.iter().map(of_group).collect();
+        let least = groups.iter().map(|(least, _)| *least).fold(f64::INFINITY, f64::min);
+        let limit = least + 2.0 * reach + self.range();
+        let groups =
+            groups.into_iter().filter(|(least, _)| *least <= limit).map(|(_, group)| group).collect();
+        Self { groups, blend: self.blend }
+    }
+
     /// The radius of the cone next to a point.
     pub(super) fn radius(&self, p: DVec3) -> f64 {
         let mut best = (f64::INFINITY, 0.0);
         for cone in self.groups.iter().flatten() {
             let (distance, t) = cone.distance(p);
             if distance < best.0 {
-                best = (distance, cone.radii[0] + (cone.radii[1] - cone.radii[0]) * t);
+                let [from, to] = cone.shape.radii;
+                best = (distance, from + (to - from) * t);
             }
         }
         best.1
@@ -143,6 +185,39 @@ impl Wall {
     }
 }
 
+/// The parts of a wall near points that move little from one step to the next.
+pub(super) struct NearWalls(Vec<NearWall>);
+
+/// The part of a wall that is the same within `reach` of a point.
+#[derive(Clone)]
+struct NearWall {
+    centre: DVec3,
+    reach: f64,
+    wall: Wall,
+}
+
+impl NearWalls {
+    /// Those of so many points, which are not known yet.
+    pub(super) fn new(count: usize) -> Self {
+        Self(vec![NearWall { centre: DVec3::NAN, reach: 0.0, wall: Wall::default() }; count])
+    }
+
+    /// The distance of the point with this number from the wall.
+    pub(super) fn distance(&mut self, index: usize, wall: &Wall, p: DVec3) -> (f64, DVec3) {
+        let near = &mut self.0[index];
+        let is_known = p.distance(near.centre) <= near.reach;
+        if !is_known {
+            let reach = REACH * wall.radius(p);
+            *near = NearWall { centre: p, reach, wall: wall.near(p, reach) };
+        }
+        near.wall.distance(p)
+    }
+}
+
+/// How far a point moves before the part of the wall near it is taken anew, in radii.
+const REACH: f64 = 0.1;
+/// Number of groups whose distances need no memory of their own.
+const FEW: usize = 8;
 /// From this distance beyond the nearest group on, in widths of the blend, another one adds less than the rounding of the sum.
 const FAR: f64 = 40.0;
 /// Largest number of steps, of a tenth of the radius, along a ray.

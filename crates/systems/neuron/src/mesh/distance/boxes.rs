@@ -14,26 +14,37 @@ struct Node {
     count: u32,
 }
 
-impl Node {
-    fn distance(&self, p: DVec3) -> f64 {
-        p.distance(p.clamp(self.low, self.high))
+/// The squared distance of a point from a box.
+#[inline]
+fn distance_sq(p: DVec3, low: DVec3, high: DVec3) -> f64 {
+    let mut sum = 0.0;
+    for axis in 0..3 {
+        let (below, above) = (low[axis] - p[axis], p[axis] - high[axis]);
+        let off = if below > above { below } else { above };
+        let off = if off > 0.0 { off } else { 0.0 };
+        sum += off * off;
     }
+    sum
 }
 
 /// A binary tree over the boxes of items.
 pub(super) struct Boxes {
     nodes: Vec<Node>,
     items: Vec<u32>,
+    /// The boxes of the items, in this order.
+    bounds: Vec<[DVec3; 2]>,
 }
 
 impl Boxes {
     /// The tree over boxes, each given by its least and greatest corner.
     pub(super) fn new(boxes: &[[DVec3; 2]]) -> Self {
-        let mut tree = Self { nodes: Vec::new(), items: (0..boxes.len() as u32).collect() };
+        let items = (0..boxes.len() as u32).collect();
+        let mut tree = Self { nodes: Vec::new(), items, bounds: Vec::new() };
         let mut items = std::mem::take(&mut tree.items);
         if !items.is_empty() {
             tree.build(boxes, &mut items, 0);
         }
+        tree.bounds = items.iter().map(|&item| boxes[item as usize]).collect();
         tree.items = items;
         tree
     }
@@ -58,30 +69,42 @@ impl Boxes {
         self.build(boxes, right, offset + middle);
     }
 
-    /// Calls `visit` with the items of leaves whose boxes are at most the distance that the last call returned from a point, nearer
-    /// ones first; `most` is the distance in the beginning.
+    /// The squared distance of a point from a node, and the node.
+    #[inline]
+    fn child(&self, p: DVec3, index: u32) -> (f64, u32) {
+        let node = &self.nodes[index as usize];
+        (distance_sq(p, node.low, node.high), index)
+    }
+
+    /// Calls `visit` with the items whose boxes are at most the distance that the last call returned from a point, those of nearer nodes
+    /// first; `most` is the distance in the beginning.
     pub(super) fn visit(&self, p: DVec3, most: f64, mut visit: impl FnMut(u32) -> f64) {
-        let mut most = most;
+        let mut most_sq = most * most;
         let mut stack: Vec<(f64, u32)> = Vec::with_capacity(64);
         if let Some(root) = self.nodes.first() {
-            stack.push((root.distance(p), 0));
+            stack.push((distance_sq(p, root.low, root.high), 0));
         }
-        while let Some((distance, index)) = stack.pop() {
-            if distance > most {
+        while let Some((square, index)) = stack.pop() {
+            if square > most_sq {
                 continue;
             }
             let node = &self.nodes[index as usize];
             if node.count > 0 {
-                let items = &self.items[node.first as usize..(node.first + node.count) as usize];
-                for &item in items {
-                    most = visit(item);
+                let range = node.first as usize..(node.first + node.count) as usize;
+                for (&item, [low, high]) in self.items[range.clone()].iter().zip(&self.bounds[range]) {
+                    if distance_sq(p, *low, *high) <= most_sq {
+                        let most = visit(item);
+                        most_sq = most * most;
+                    }
                 }
                 continue;
             }
-            let children = [index + 1, node.first].map(|k| (self.nodes[k as usize].distance(p), k));
-            let nearer = usize::from(children[1].0 < children[0].0);
-            stack.push(children[1 - nearer]);
-            stack.push(children[nearer]);
+            let (left, right) = (self.child(p, index + 1), self.child(p, node.first));
+            let (nearer, farther) = if right.0 < left.0 { (right, left) } else { (left, right) };
+            if farther.0 <= most_sq {
+                stack.push(farther);
+            }
+            stack.push(nearer);
         }
     }
 }

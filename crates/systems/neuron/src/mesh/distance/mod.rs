@@ -47,8 +47,9 @@ pub(super) fn wall_distance<const S: usize>(
     let solid = Solid::new(skeleton);
     let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
     let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, ends));
-    let from_wall = enclose(wall, within, control, |net| Some(patches::bounds(&solid, net)));
-    let from_cones = enclose(&surface.pieces(), within, control, |piece| surface.bounds(piece));
+    let from_wall = enclose(wall, (within, false), control, |net| Some(patches::bounds(&solid, net)));
+    let is_beyond = from_wall.lower[1] > within;
+    let from_cones = enclose(&surface.pieces(), (within, is_beyond), control, |piece| surface.bounds(piece));
     let samples = skeleton.samples();
     let directed = |found: &Enclosure| DirectedDistance {
         lower: found.lower[0],

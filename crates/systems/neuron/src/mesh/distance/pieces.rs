@@ -5,7 +5,7 @@ use super::search::{Bounds, Patch};
 use super::solid::Solid;
 use crate::Skeleton;
 use glam::DVec3;
-use pompeiu_core::geom::point_triangle::closest_barycentric;
+use pompeiu_core::geom::point_triangle::near_weights;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -50,8 +50,8 @@ impl Facets {
     /// A point of a facet that is nearest to `p`, up to rounding.
     fn foot(&self, facet: usize, p: DVec3) -> DVec3 {
         let [a, b, c] = self.list[facet].0;
-        let [x, y, z] = closest_barycentric(p.to_array(), [a, b, c].map(|v| v.to_array()));
-        a * x + b * y + c * z
+        let [y, z] = near_weights(p.to_array(), [a.to_array(), b.to_array(), c.to_array()]);
+        a * (1.0 - (y + z)).max(0.0) + b * y + c * z
     }
 
     fn nearest(&self, p: DVec3) -> Foot {

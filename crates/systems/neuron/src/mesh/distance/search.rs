@@ -49,6 +49,8 @@ pub(super) struct Enclosure {
     pub(super) sample: usize,
     /// Samples next to points that are farther away than is tolerated, with the greatest such distance.
     pub(super) beyond: BTreeMap<usize, [f64; 2]>,
+    /// Whether another surface is known to be farther away than is tolerated, so that this one decides nothing.
+    is_decided: bool,
 }
 
 impl Enclosure {
@@ -68,7 +70,7 @@ impl Enclosure {
 
     /// Most divisions of a patch along each direction.
     fn most_levels(&self, within: f64) -> usize {
-        if self.lower[1] > within { LEVELS_BEYOND } else { MOST_LEVELS }
+        if self.is_decided || self.lower[1] > within { LEVELS_BEYOND } else { MOST_LEVELS }
     }
 
     /// Whether a patch has to be divided to narrow the enclosure, or to decide whether distances are tolerated.
@@ -76,7 +78,7 @@ impl Enclosure {
         let width = if self.lower[1] > within { (RELATIVE_WIDTH * self.lower[1]).max(WIDTH) } else { WIDTH };
         // The width in micrometres is that of the radius of this patch.
         let radius = bounds.upper[0] / bounds.upper[1];
-        let decides = self.lower[1] <= within && bounds.upper[1] > within;
+        let decides = !self.is_decided && self.lower[1] <= within && bounds.upper[1] > within;
         decides
             || bounds.upper[1] > self.lower[1] + width
             || bounds.upper[0] > self.lower[0] + width * radius.max(0.0)
@@ -84,34 +86,37 @@ impl Enclosure {
 }
 
 /// Encloses the greatest distance of the points of patches. `evaluate` bounds those of one patch; `None` if it is not part of the
-/// surface. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
+/// surface. If it `is_decided` that distances of another surface are not tolerated, those of this one are only enclosed. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
 ///
 /// The result does not depend on the number of threads.
 pub(super) fn enclose<P: Patch>(
     patches: &[P],
-    within: f64,
+    (within, is_decided): (f64, bool),
     control: &Control,
     evaluate: impl Fn(&P) -> Option<Bounds> + Sync,
 ) -> Enclosure {
-    let mut found = Enclosure::default();
+    let mut found = Enclosure { is_decided, ..Enclosure::default() };
     // Lower bounds first, whichever patch they are of: the others need not be divided for what these decide.
+    let mut first: Vec<Vec<Option<Bounds>>> = Vec::with_capacity(patches.len().div_ceil(BATCH));
     for batch in patches.chunks(BATCH) {
         if control.is_stopped() {
             return Enclosure { upper: [f64::INFINITY; 2], ..found };
         }
         let bounds: Vec<Option<Bounds>> = batch.par_iter().map(&evaluate).collect();
         bounds.iter().flatten().for_each(|bounds| found.add(bounds, within));
+        first.push(bounds);
     }
     let mut left = LEAST_BUDGET.saturating_add(patches.len().saturating_mul(MOST_PER_PATCH));
     // Parts of a batch are divided before the next one is begun: few are kept at a time.
     let mut stack: Vec<(usize, Vec<P>)> = Vec::new();
-    for batch in patches.chunks(BATCH) {
+    for (batch, bounds) in patches.chunks(BATCH).zip(first) {
         stack.push((0, batch.to_vec()));
+        let mut known = Some(bounds);
         while let Some((level, active)) = stack.pop() {
             if control.is_stopped() {
                 return Enclosure { upper: [f64::INFINITY; 2], ..found };
             }
-            let bounds: Vec<Option<Bounds>> = active.par_iter().map(&evaluate).collect();
+            let bounds = known.take().unwrap_or_else(|| active.par_iter().map(&evaluate).collect());
             left = left.saturating_sub(active.len());
             bounds.iter().flatten().for_each(|bounds| found.add(bounds, within));
             let mut divided: Vec<P> = Vec::new();

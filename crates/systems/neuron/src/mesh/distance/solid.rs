@@ -1,6 +1,7 @@
 //! The union of the round cones of a skeleton, with proven bounds on the distance from it.
 
 use super::boxes::Boxes;
+use crate::cone::MeasuredCone;
 use crate::mesh::tube::is_ball;
 use crate::{RoundCone, Skeleton};
 use glam::DVec3;
@@ -17,6 +18,7 @@ const ROUNDING: f64 = 640.0 * 1.110_223_024_625_156_5e-16;
 /// A cone of the skeleton.
 pub(super) struct Cone {
     pub(super) shape: RoundCone,
+    measured: MeasuredCone,
     /// The samples at its ends.
     pub(super) samples: [usize; 2],
     /// The slope of the radius; the lateral surface exists if it is between -1 and 1.
@@ -28,12 +30,17 @@ impl Cone {
         let length = cone.ends[0].distance(cone.ends[1]);
         let change = cone.radii[1] - cone.radii[0];
         let slope = if length > 0.0 { change / length } else { f64::INFINITY };
-        Self { shape: cone, samples, slope }
+        Self { shape: cone, measured: MeasuredCone::new(cone), samples, slope }
     }
 
     /// The slope of the radius along the axis, if the cone has a lateral surface.
     pub(super) fn lateral_slope(&self) -> Option<f64> {
         (self.slope.abs() < 1.0).then_some(self.slope)
+    }
+
+    /// The distance of a point, and the parameter of the nearest ball.
+    pub(super) fn distance(&self, p: DVec3) -> (f64, f64) {
+        self.measured.distance(p)
     }
 
     /// The radius at a parameter.
@@ -72,7 +79,7 @@ impl Cone {
 
     /// An upper bound on the distance of all points of a convex hull from the cone, negative inside: the distance is convex.
     pub(super) fn within(&self, hull: &[DVec3]) -> f64 {
-        hull.iter().map(|p| self.shape.distance(*p).0).fold(f64::NEG_INFINITY, f64::max)
+        hull.iter().map(|p| self.distance(*p).0).fold(f64::NEG_INFINITY, f64::max)
     }
 }
 
@@ -127,7 +134,7 @@ impl Solid {
         let mut found = Nearest { cone: 0, t: 0.0, lower: f64::INFINITY, upper: f64::INFINITY };
         self.boxes.visit(p, f64::INFINITY, |index| {
             let cone = &self.cones[index as usize];
-            let (distance, t) = cone.shape.distance(p);
+            let (distance, t) = cone.distance(p);
             let lower = cone.beyond(&[p], DVec3::ZERO, cone.outwards(p, t));
             found.lower = found.lower.min(lower);
             if distance < found.upper {
@@ -152,7 +159,7 @@ impl Solid {
         let mut least = f64::INFINITY;
         let limit = distance + 2.0 * reach + self.rounding;
         self.near(p, limit.max(0.0), |cone| {
-            let (found, t) = cone.shape.distance(p);
+            let (found, t) = cone.distance(p);
             if found <= limit {
                 least = least.min(cone.least_radius(t, reach));
             }
@@ -170,7 +177,7 @@ impl Solid {
             let moved = centre + shift;
             let mut deepest = (0.0, DVec3::ZERO);
             self.near(moved, reach, |cone| {
-                let normal = cone.outwards(moved, cone.shape.distance(moved).1);
+                let normal = cone.outwards(moved, cone.distance(moved).1);
                 let missing = self.rounding - cone.beyond(hull, shift, normal);
                 if missing > deepest.0 {
                     deepest = (missing, normal);
@@ -196,7 +203,7 @@ impl Solid {
             let moved = centre + shift;
             let mut more = 0.0_f64;
             self.near(moved, reach, |cone| {
-                let normal = cone.outwards(moved, cone.shape.distance(moved).1);
+                let normal = cone.outwards(moved, cone.distance(moved).1);
                 let missing = self.rounding - cone.beyond(hull, shift, normal);
                 more = more.max(missing / normal.dot(along).max(LEAST_COSINE));
             });
