@@ -1,8 +1,8 @@
 //! The files of `NeuronTransportIGA`: `controlmesh.vtk`, `bzmeshinfo.txt`, `bzpt.txt`, `cmat.txt`.
 
+use crate::text_rows::TextRows;
 use crate::{CellKind, CellSplines, HexMesh, UnstructuredSplines};
 use glam::DVec3;
-use std::collections::HashMap;
 use std::fmt::Write;
 
 /// Why a file cannot be read as one of `NeuronTransportIGA`.
@@ -59,31 +59,16 @@ pub fn iga_units(places: &[DVec3]) -> Vec<DVec3> {
 impl UnstructuredSplines {
     /// The functions of each cell as `bzmeshinfo.txt`, numbered from 1, which METIS reads as a mesh.
     pub fn bzmeshinfo(&self) -> String {
-        let mut text = format!("{}\n", self.cells().len());
-        for cell in self.cells() {
-            row(&mut text, cell.functions.iter().map(|v| v + 1));
-        }
-        text
+        let mut text = TextRows::new(self.cells().len());
+        self.cells().iter().for_each(|cell| text.functions(cell));
+        text.into_string()
     }
 
     /// The functions of each cell and their coefficients as `cmat.txt`.
     pub fn cmat(&self) -> String {
-        let mut text = format!("{}\n", self.cells().len());
-        let mut written = Written::default();
-        for (index, cell) in self.cells().iter().enumerate() {
-            let _ = writeln!(text, "{index} {} {}", cell.functions.len(), cell.kind.number());
-            row(&mut text, cell.functions.iter());
-            for list in &cell.coefficients {
-                for (k, number) in list.iter().enumerate() {
-                    if k > 0 {
-                        text.push(' ');
-                    }
-                    written.push(*number, &mut text);
-                }
-                text.push('\n');
-            }
-        }
-        text
+        let mut text = TextRows::new(self.cells().len());
+        self.cells().iter().enumerate().for_each(|(index, cell)| text.coefficients(index, cell));
+        text.into_string()
     }
 
     /// The Bézier points of each cell as `bzpt.txt`.
@@ -91,11 +76,9 @@ impl UnstructuredSplines {
     /// # Panics
     /// If a function has no position.
     pub fn bzpt(&self, places: &[DVec3]) -> String {
-        let mut text = format!("{}\n", 64 * self.cells().len());
-        for point in self.bezier_points(places).iter().flatten() {
-            row(&mut text, point.to_array().iter());
-        }
-        text
+        let mut text = TextRows::new(64 * self.cells().len());
+        self.cells().iter().for_each(|cell| text.points(&cell.bezier_points(places)));
+        text.into_string()
     }
 
     /// Reads `cmat.txt`.
@@ -175,38 +158,6 @@ pub fn read_bzpt(text: &str) -> Result<Vec<[DVec3; 64]>, IgaFileError> {
     }
     lines.end()?;
     Ok(cells)
-}
-
-/// Appends numbers on a line.
-fn row<T: std::fmt::Display>(text: &mut String, numbers: impl Iterator<Item = T>) {
-    for (k, number) in numbers.enumerate() {
-        let _ = if k > 0 { write!(text, " {number}") } else { write!(text, "{number}") };
-    }
-    text.push('\n');
-}
-
-/// Largest number of values whose decimal text is cached.
-const REMEMBERED: usize = 1 << 14;
-
-/// Decimal texts of numbers: coefficients are products of few small fractions, and formatting them costs more than computing the
-/// splines.
-#[derive(Default)]
-struct Written(HashMap<u64, Box<str>>);
-
-impl Written {
-    fn push(&mut self, number: f64, text: &mut String) {
-        if number.to_bits() == 0 {
-            text.push('0');
-        } else if let Some(digits) = self.0.get(&number.to_bits()) {
-            text.push_str(digits);
-        } else {
-            let digits = number.to_string();
-            text.push_str(&digits);
-            if self.0.len() < REMEMBERED {
-                self.0.insert(number.to_bits(), digits.into());
-            }
-        }
-    }
 }
 
 /// Lines that are not blank.

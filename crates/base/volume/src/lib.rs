@@ -15,6 +15,7 @@
 //! | [`HierarchicalSplines`] | truncated hierarchical splines, refined where elements are marked |
 //! | [`UnstructuredSplines`], [`read_bzpt`], [`controlmesh`] | splines with one function per vertex, and the files of
 //! `NeuronTransportIGA` |
+//! | [`ExtractionFiles`] | these files, written cell by cell |
 //! | [`partition`], [`epart`] | partitions of the cells for parallel processes, and their METIS files |
 //! | [`Refinement`] | regular refinement of cells that stays conforming |
 //! | [`write_vtu`], [`write_bezier_vtu`], [`CellData`] | VTK unstructured grids |
@@ -33,6 +34,7 @@ pub mod bernstein;
 mod bezier;
 mod bezier_jacobian;
 mod error;
+mod extraction_files;
 mod faces;
 mod hierarchy;
 mod iga_files;
@@ -44,12 +46,14 @@ mod partition;
 mod refinement;
 mod scaled_bound;
 mod spline;
+mod text_rows;
 mod unstructured;
 mod vtu;
 
 pub use bezier::{BezierMesh, CORNERS_OF_64, FACE_AXES, bezier_volume, face_flux, face_points, place_of_64};
 pub use bezier_jacobian::{QUALITY_PLACES, certify_bezier, scaled_jacobian_bezier, slopes_at};
 pub use error::VolumeError;
+pub use extraction_files::ExtractionFiles;
 pub use faces::{BoundaryFace, FACES, Faces, InnerFace};
 pub use hierarchy::{BYTES_PER_FUNCTION, HierarchicalElement, HierarchicalSplines, MOST_LEVELS};
 pub use iga_files::{IgaFileError, controlmesh, iga_units, read_bzmeshinfo, read_bzpt};

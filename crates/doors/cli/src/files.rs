@@ -189,8 +189,13 @@ pub(crate) fn write_shifted(
 /// Writes a file, whole or not at all, and says so.
 pub(crate) fn write_whole(path: &Path, content: &[u8], printer: &Printer) -> anyhow::Result<()> {
     while_writing(|| pompeiu::io::write_whole(path, content))?;
-    printer.note(format_args!("{}: {}", path.display(), bytesize::ByteSize(content.len() as u64)));
+    note_size(path, content.len() as u64, printer);
     Ok(())
+}
+
+/// Says how large a file is that was written.
+pub(crate) fn note_size(path: &Path, bytes: u64, printer: &Printer) {
+    printer.note(format_args!("{}: {}", path.display(), bytesize::ByteSize(bytes)));
 }
 
 /// The SHA-256 sum of a file in hexadecimal digits; not of a pipe, which can be read only once.

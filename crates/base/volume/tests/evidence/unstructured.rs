@@ -6,8 +6,8 @@ use glam::DVec3;
 use pompeiu_solve::{Cholesky, LinearSolver, SparseMatrix};
 use pompeiu_volume::bernstein::{GAUSS_4, bernstein, derivatives, value};
 use pompeiu_volume::{
-    CellKind, Faces, HexMesh, UnstructuredSplines, bezier_volume, controlmesh, epart, iga_units, partition,
-    partition_quality, read_bzmeshinfo, read_bzpt,
+    CellKind, ExtractionFiles, Faces, HexMesh, UnstructuredSplines, bezier_volume, controlmesh, epart,
+    iga_units, partition, partition_quality, read_bzmeshinfo, read_bzpt,
 };
 use std::io::Read;
 use std::path::PathBuf;
@@ -72,6 +72,21 @@ fn files_are_read_back_and_damage_is_located() {
         "line 2: found \"0 1\", expected numbers from 1"
     );
     assert!(UnstructuredSplines::from_cmat(&(text + "7\n")).is_err());
+}
+
+#[test]
+fn files_written_cell_by_cell_are_those_of_all_cells() {
+    // More cells than are written at a time, and numbers with many digits.
+    let mesh = HexMesh::grid([7, 6, 5], [3.0, 2.0, 1.0]);
+    let faces = Faces::new(&mesh).unwrap();
+    let found = splines(&mesh);
+    let places = iga_units(mesh.positions());
+    let mut files = ExtractionFiles { bzmeshinfo: Vec::new(), bzpt: Vec::new(), cmat: Vec::new() };
+    files.write_unstructured(&mesh, &faces, &places).unwrap();
+    let texts = [files.bzmeshinfo, files.bzpt, files.cmat].map(|text| String::from_utf8(text).unwrap());
+    assert_eq!(texts, [found.bzmeshinfo(), found.bzpt(&places), found.cmat()]);
+    let points = read_bzpt(&texts[1]).unwrap();
+    assert_eq!(points, found.bezier_points(&places));
 }
 
 /// Called with the cell, the values of its functions, the weight and the position of each quadrature point.

@@ -1,15 +1,18 @@
 //! The files of `NeuronTransportIGA`, and partitions for parallel work.
 
 use crate::files;
+use crate::interrupt::while_writing;
 use crate::numbers::grouped;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
+use pompeiu::io::write_stream;
 use pompeiu::neuron::{Cap, CubicMesh, NeuronMesh};
 use pompeiu::volume::{
-    HierarchicalSplines, UnstructuredSplines, controlmesh, epart, iga_units, partition, partition_quality,
-    read_bzmeshinfo, read_bzpt,
+    ExtractionFiles, HierarchicalSplines, UnstructuredSplines, controlmesh, epart, iga_units, partition,
+    partition_quality, read_bzmeshinfo, read_bzpt,
 };
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Differences up to which splines are those of another program, whose files have six digits.
@@ -17,13 +20,11 @@ const AGREEMENT: f64 = 1e-6;
 
 /// Writes the splines over a mesh as `NeuronTransportIGA` does, into a folder that is made.
 pub(super) fn write(folder: &Path, mesh: &NeuronMesh, printer: &Printer) -> anyhow::Result<()> {
-    let splines = UnstructuredSplines::new(&mesh.mesh, &mesh.faces);
     fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let put = |name: &str, text: String| files::write_whole(&folder.join(name), text.as_bytes(), printer);
-    put("controlmesh.vtk", controlmesh(&mesh.mesh, &labels(mesh)))?;
-    put("bzmeshinfo.txt", splines.bzmeshinfo())?;
-    put("bzpt.txt", splines.bzpt(&iga_units(mesh.mesh.positions())))?;
-    put("cmat.txt", splines.cmat())
+    let text = controlmesh(&mesh.mesh, &labels(mesh));
+    files::write_whole(&folder.join("controlmesh.vtk"), text.as_bytes(), printer)?;
+    let places = iga_units(mesh.mesh.positions());
+    write_files(folder, printer, |files| files.write_unstructured(&mesh.mesh, &mesh.faces, &places))
 }
 
 /// Writes which splines each element has, and their Bézier coefficients, into a folder that is made.
@@ -33,12 +34,32 @@ pub(super) fn write_splines(
     splines: &HierarchicalSplines,
     printer: &Printer,
 ) -> anyhow::Result<()> {
-    let cells = splines.extraction();
     fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let put = |name: &str, text: String| files::write_whole(&folder.join(name), text.as_bytes(), printer);
-    put("bzmeshinfo.txt", cells.bzmeshinfo())?;
-    put("bzpt.txt", cells.bzpt(&iga_units(&splines.represent(&mesh.mesh, mesh.mesh.points()))))?;
-    put("cmat.txt", cells.cmat())
+    let places = iga_units(&splines.represent(&mesh.mesh, mesh.mesh.points()));
+    write_files(folder, printer, |files| files.write_hierarchical(splines, &places))
+}
+
+/// Writes the files about splines; they appear once all of them are written.
+fn write_files(
+    folder: &Path,
+    printer: &Printer,
+    fill: impl FnOnce(&mut ExtractionFiles<&mut (dyn Write + Send)>) -> io::Result<()>,
+) -> anyhow::Result<()> {
+    let places = ["bzmeshinfo.txt", "bzpt.txt", "cmat.txt"].map(|name| folder.join(name));
+    let [info, points, matrix] = &places;
+    let written = while_writing(|| {
+        write_stream(info, |bzmeshinfo| {
+            write_stream(points, |bzpt| {
+                write_stream(matrix, |cmat| fill(&mut ExtractionFiles { bzmeshinfo, bzpt, cmat }))
+            })
+        })
+    });
+    written.with_context(|| folder.display().to_string())?;
+    for place in &places {
+        let size = fs::metadata(place).with_context(|| place.display().to_string())?.len();
+        files::note_size(place, size, printer);
+    }
+    Ok(())
 }
 
 /// The number of each vertex: −1 inside, 0 on the wall and at the rims of ends, 1 at the inlet, 2 and more at other ends.
