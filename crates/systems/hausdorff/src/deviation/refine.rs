@@ -178,7 +178,8 @@ impl Refinement<'_> {
             loop {
                 let mass = if means_are_tight { &mut criterion.focus_mass } else { &mut criterion.mass };
                 *mass *= FINER;
-                if *mass < FINEST * first {
+                // Equal where both are zero, as on faces whose area rounds to zero.
+                if *mass <= FINEST * first {
                     return refined.into();
                 }
                 let mut flagged = flag(&criterion, &refined.distribution);

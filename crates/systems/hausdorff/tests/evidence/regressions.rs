@@ -110,3 +110,27 @@ fn a_scan_of_a_part_without_noise() {
         assert!(ends.gap() <= options.accuracy * ends.lower() + found.a_to_b.floor, "{percentile:?}");
     }
 }
+
+/// The area of a face whose corners are in line up to rounding is zero, and so is what its pieces may leave undecided: such a criterion
+/// could be made finer for ever.
+#[test]
+fn statistics_of_faces_without_area_end() {
+    let line = [
+        [0.475_317_085_811_529_5, -0.661_694_388_837_906_8, -0.25],
+        [0.0, 0.024_679_450_789_562_112, 0.0],
+        [0.172_095_076_088_92, -0.223_831_620_413_484_1, -0.090_515_932_009_415_68],
+    ];
+    let a = TriMesh::new(line.to_vec(), vec![[0, 1, 2]]).unwrap();
+    let corners = [
+        [-0.5, -0.75, 0.0],
+        [-0.75, 0.75, 0.75],
+        [0.75, 0.5, -0.25],
+        [-0.75, 0.75, -1.0],
+        [0.5, 0.5, -1.0],
+        [0.75, 0.0, -0.25],
+    ];
+    let b = TriMesh::new(corners.to_vec(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
+    let options = DeviationOptions { accuracy: 1e-3, ..DeviationOptions::default() };
+    let report = options.symmetric(&a, &b).unwrap().a_to_b;
+    assert!(report.distance.distance.lower() > 0.0 && report.distance.distance.gap() < 1e-7);
+}
