@@ -6,6 +6,8 @@
 //! # Source
 //! That both players' best strategies meet in one value: `neumann_gesellschaftsspiele_1928`.
 
+use multiversion::multiversion;
+
 /// Rows that one game takes.
 pub(crate) const MAX_ROWS: usize = 8;
 
@@ -24,6 +26,7 @@ pub(crate) struct Game {
 }
 
 /// Solves the game by the simplex method on three constraints.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]
 pub(crate) fn solve(rows: &[Row]) -> Game {
     let alone = single(rows);
     let low = rows.iter().flatten().fold(f64::INFINITY, |low, &d| if d < low { d } else { low });

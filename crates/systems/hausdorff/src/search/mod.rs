@@ -5,6 +5,7 @@
 //! round began and what it found itself; results are merged in task order. So the answer does not depend on the number of
 //! threads, unless a limit ends the search.
 
+mod bisectors;
 mod feet;
 mod game;
 mod local;
@@ -216,30 +217,39 @@ impl<'s, 'o> Search<'s, 'o> {
         }
     }
 
-    /// Exact distances at the corners of the faces that are left: cheap, and the maximum is often there.
+    /// Exact distances at the corners of the faces that are left: cheap, and the maximum is often there. Faces of B that are nearest to
+    /// corners are what pieces start from.
     fn ask_corners(&mut self) {
         let lower = self.found.distance;
-        let mut seen = vec![0_u64; self.scene.a.positions().len().div_ceil(64)];
+        let mut nearest = vec![None; self.scene.a.positions().len()];
         let mut corners = Vec::new();
         for piece in self.open.iter().filter(|p| p.depth == 0) {
             for (vertex, corner) in self.scene.a.faces()[piece.face as usize].into_iter().zip(piece.corners) {
-                let (word, bit) = (&mut seen[vertex as usize / 64], 1 << (vertex % 64));
-                if *word & bit == 0 {
-                    *word |= bit;
+                let nearest = &mut nearest[vertex as usize];
+                if nearest.is_none() {
+                    *nearest = Some(piece.near[0]);
                     if self.scene.bvh.distance_sq(corner, piece.near[0]) > lower * lower {
-                        corners.push((piece.face, corner, piece.near[0]));
+                        corners.push((piece.face, vertex, corner, piece.near[0]));
                     }
                 }
             }
         }
-        drop(seen);
         for corners in corners.chunks(SAMPLE_TASK * TASKS_PER_ROUND) {
-            let outcomes = self.round(corners.chunks(SAMPLE_TASK), |worker, corners| {
-                for &(face, corner, hint) in corners {
+            let mut outcomes = self.round(corners.chunks(SAMPLE_TASK), |worker, corners| {
+                for &(face, _, corner, hint) in corners {
                     worker.sample(std::iter::once((face, corner)), hint);
                 }
             });
+            let found = outcomes.iter_mut().flat_map(|outcome| std::mem::take(&mut outcome.nearest));
+            for ((_, vertex, ..), slot) in corners.iter().zip(found) {
+                nearest[*vertex as usize] = Some(slot);
+            }
             self.merge(outcomes);
+        }
+        for piece in self.open.iter_mut().filter(|p| p.depth == 0) {
+            for vertex in self.scene.a.faces()[piece.face as usize] {
+                piece.also_near(nearest[vertex as usize]);
+            }
         }
     }
 

@@ -1,11 +1,10 @@
 //! A triangular piece of a face of A, and how it is cut.
 
 use glam::DVec3;
-use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::spatial::Slot;
 
 /// Faces of B that a piece inherits from the one it was cut from.
-pub(crate) const INHERITED: usize = 3;
+pub(crate) const INHERITED: usize = 4;
 
 /// A piece that was not yet discarded.
 #[derive(Clone, Copy, Debug)]
@@ -46,38 +45,15 @@ impl Piece {
         &self.near[..self.near_count as usize]
     }
 
-    /// Cuts where two faces of B are equally far from the piece, as far as their distances are linear around a point of it.
-    ///
-    /// Where the maximum is attained along such a line, parts get long and thin beside it, and one face covers each; parts of equal
-    /// sides would be as many as the line is longer than they are. The line is off by the square of the distance from
-    /// the point, so that cutting the thin parts again doubles the digits.
-    ///
-    /// None where the faces differ by less than what matters at the `reach` of bounds, as two do whose common edge is nearest.
-    pub(crate) fn bisector_cut(
-        &self,
-        around: [f64; 3],
-        faces: [[[f64; 3]; 3]; 2],
-        reach: f64,
-    ) -> Option<Parts> {
-        if self.depth >= BISECT_BELOW_DEPTH {
-            return None;
+    /// Adds a face of B that may be near where there is room.
+    pub(crate) fn also_near(&mut self, slot: Option<Slot>) {
+        if let Some(slot) = slot
+            && (self.near_count as usize) < INHERITED
+            && !self.near().contains(&slot)
+        {
+            self.near[self.near_count as usize] = slot;
+            self.near_count += 1;
         }
-        let x = DVec3::from_array(around);
-        let [(d, toward), (e, toward_other)] = faces.map(|face| {
-            let weights = closest_barycentric(around, face);
-            let [a, b, c] = face.map(DVec3::from_array);
-            let away = x - (weights[0] * a + weights[1] * b + weights[2] * c);
-            (away.length(), away.normalize_or_zero())
-        });
-        let slope = toward - toward_other;
-        let corners = self.corners.map(DVec3::from_array);
-        let nearer = corners.map(|corner| d - e + slope.dot(corner - x));
-        let least = LEAST_OVERHANG * reach;
-        if !(nearer.iter().any(|s| *s > least) && nearer.iter().any(|s| *s < -least)) {
-            return None;
-        }
-        let crossing = crossing(nearer)?;
-        (crossing.lesser_part() > LEAST_PART).then(|| crossing.parts(&corners))
     }
 
     /// Cuts the longest edge in the middle.
@@ -109,9 +85,9 @@ pub(crate) fn longest_edge(corners: &[[f64; 3]; 3]) -> f64 {
 /// Cuts by planes must leave this fraction of the piece on both sides; a smaller part is not worth a piece.
 pub(crate) const LEAST_PART: f64 = 1e-12;
 /// Corners that hang over a plane by less than this part of the tolerance do not keep a face from covering the piece.
-const LEAST_OVERHANG: f64 = 0.125;
+pub(crate) const LEAST_OVERHANG: f64 = 0.125;
 /// Deeper pieces are only bisected, which shrinks them for certain.
-const BISECT_BELOW_DEPTH: u32 = 64;
+pub(crate) const BISECT_BELOW_DEPTH: u32 = 64;
 
 /// Up to three triangles.
 pub(crate) struct Parts {

@@ -1,7 +1,8 @@
 //! Cover, generate, cut: the search on pieces that the sweep left.
 
+use super::bisectors::{Bisectors, MOST_CELLS};
 use super::game::{self, Game, MAX_ROWS};
-use super::piece::{INHERITED, LEAST_PART, Parts, Piece};
+use super::piece::{BISECT_BELOW_DEPTH, INHERITED, LEAST_OVERHANG, LEAST_PART, Parts, Piece};
 use super::rows::Rows;
 use super::sweep::Settled;
 use super::worker::{STOP_CHECK, SlotProof, Worker, at, centre, max3, with_centre};
@@ -142,21 +143,83 @@ impl Worker<'_> {
 
         // Cut: where the nearest face ends, where two faces are equally far, or in the middle.
         let bound = game.value + self.limits.rounding.bound(piece.depth);
-        let parts = piece
-            .prism_cut(bvh.corners(nearest.slot), reach, LEAST_PART)
-            .or_else(|| self.bisector_cut(&piece, &rows, &game, reach))
-            .unwrap_or_else(|| piece.bisect());
+        let cut = piece.prism_cut(bvh.corners(nearest.slot), reach, LEAST_PART);
+        if cut.is_none()
+            && self.cut_along_bisectors(&piece, bound, &rows, at(&piece.corners, game.corners), stack)
+        {
+            return;
+        }
+        let parts = cut.unwrap_or_else(|| piece.bisect());
         self.push_parts(&piece, &parts, bound, rows.inherited(nearest.slot, &game.weights), false, stack);
     }
 
-    /// Cuts where two faces of the best mixture are equally far, the heaviest two that differ.
-    fn bisector_cut(&self, piece: &Piece, rows: &Rows, game: &Game, reach: f64) -> Option<Parts> {
-        let [first, second, third] =
-            rows.heaviest(&game.weights).map(|slot| Some(self.scene.bvh.corners(slot?)));
-        let worst = at(&piece.corners, game.corners);
-        [[first, second], [first, third], [second, third]]
-            .into_iter()
-            .find_map(|[one, other]| piece.bisector_cut(worst, [one?, other?], reach))
+    /// Discards what is within the limit of the cells between the faces of the rows, and puts the rest on the stack; false where the piece
+    /// stays whole.
+    fn cut_along_bisectors(
+        &mut self,
+        piece: &Piece,
+        bound: f64,
+        rows: &Rows,
+        around: [f64; 3],
+        stack: &mut Vec<Piece>,
+    ) -> bool {
+        if piece.depth >= BISECT_BELOW_DEPTH {
+            return false;
+        }
+        let bvh = self.scene.bvh;
+        let least = LEAST_OVERHANG * self.limits.reach(self.lower);
+        if !self.bisectors.cut(&piece.corners, around, bvh, rows.slots(), least) {
+            return false;
+        }
+        let bisectors = std::mem::take(&mut self.bisectors);
+        let Bisectors { cells, slots, .. } = &bisectors;
+        let mut worst = (self.limit_sq(piece.depth), None);
+        let mut farthest = [0.0; MOST_CELLS];
+        for (cell, farthest) in cells.iter().zip(&mut farthest) {
+            self.out.work.depth = self.out.work.depth.max(piece.depth + cell.cuts);
+            for corners in cell.corners().chunks(4) {
+                let points = [0, 1, 2].map(|k| std::array::from_fn(|l| corners[l.min(corners.len() - 1)][k]));
+                let distances = bvh.four_distances_sq(&points, slots[cell.face], &mut self.workspace);
+                for (distance_sq, corner) in distances.into_iter().zip(corners) {
+                    *farthest = if distance_sq > *farthest { distance_sq } else { *farthest };
+                    if distance_sq > worst.0 {
+                        worst = (distance_sq, Some((corner.to_array(), slots[cell.face])));
+                    }
+                }
+            }
+        }
+        // The cells that meet at a peak are covered once that is known.
+        if let (distance_sq, Some((x, slot))) = worst {
+            self.query(piece.face, x, Nearest { slot, distance_sq });
+        }
+        self.out.work.cuts += cells.len() as u64 - 1;
+        for (cell, farthest) in cells.iter().zip(farthest) {
+            let slot = slots[cell.face];
+            let depth = piece.depth + cell.cuts;
+            let distance = farthest.sqrt();
+            let own = distance + self.limits.rounding.bound(depth);
+            let inherited = bound + self.limits.rounding.cut() * f64::from(cell.cuts);
+            let near = nearest_first(slot, slots);
+            for corners in cell.triangles() {
+                let part = Piece {
+                    corners,
+                    bound: if own < inherited { own } else { inherited },
+                    near,
+                    near_count: slots.len().min(INHERITED) as u8,
+                    nearest_known: false,
+                    overlay: false,
+                    depth,
+                    face: piece.face,
+                };
+                if farthest <= self.limit_sq(depth) {
+                    self.discard(part, distance, || SlotProof::Face(slot));
+                } else {
+                    stack.push(part);
+                }
+            }
+        }
+        self.bisectors = bisectors;
+        true
     }
 
     /// Settles a piece by its overlay, or bisects it where it lies over too many faces.
@@ -219,4 +282,14 @@ impl Worker<'_> {
         rows.push(slot, [d[0].sqrt(), d[1].sqrt(), d[2].sqrt()]);
         true
     }
+}
+
+/// A face and the latest others.
+fn nearest_first(slot: Slot, slots: &[Slot]) -> [Slot; INHERITED] {
+    let mut near = [slot; INHERITED];
+    let others = slots.iter().rev().filter(|other| **other != slot);
+    for (place, other) in near[1..].iter_mut().zip(others) {
+        *place = *other;
+    }
+    near
 }

@@ -69,17 +69,9 @@ impl Rows {
         found
     }
 
-    /// The faces of a mixture, at most three, the one of greatest weight first. A small weight may be all that bounds a piece
-    /// from another side, where distances grow fast.
-    pub(crate) fn heaviest(&self, weights: &[f64; MAX_ROWS]) -> [Option<Slot>; 3] {
-        let mut best = [(0.0, None); 3];
-        for (slot, weight) in self.slots.iter().zip(weights) {
-            if let Some(place) = best.iter().position(|(heavier, _)| weight > heavier) {
-                best[place..].rotate_right(1);
-                best[place] = (*weight, *slot);
-            }
-        }
-        best.map(|(_, slot)| slot)
+    /// The faces, in the order of the rows.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = Slot> + '_ {
+        self.slots[..self.count].iter().flatten().copied()
     }
 
     pub(crate) fn mixture(&self, weights: &[f64; MAX_ROWS]) -> SlotProof {

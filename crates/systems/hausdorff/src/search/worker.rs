@@ -2,6 +2,7 @@
 //!
 //! What tasks do is in `sweep` and `refine`.
 
+use super::bisectors::Bisectors;
 use super::feet::Feet;
 use super::overlay::Overlay;
 use super::parts::CutParts;
@@ -54,6 +55,8 @@ pub(crate) struct Outcome {
     pub(crate) open: Vec<Piece>,
     pub(crate) kept: Vec<Piece>,
     pub(crate) discarded: Vec<Discarded>,
+    /// Faces of B that are nearest to the points that were asked for.
+    pub(crate) nearest: Vec<Slot>,
     pub(crate) work: WorkCount,
 }
 
@@ -67,6 +70,7 @@ pub(super) struct Worker<'s> {
     pub(super) workspace: Workspace,
     pub(super) overlay: Overlay,
     pub(super) parts: CutParts,
+    pub(super) bisectors: Bisectors,
     /// Faces of B that whole faces were compared with.
     pub(super) feet: Feet,
     pub(super) out: Outcome,
@@ -85,6 +89,7 @@ impl<'s> Worker<'s> {
             workspace: Workspace::default(),
             overlay,
             parts: CutParts::new(keep_all),
+            bisectors: Bisectors::default(),
             feet: Feet::default(),
             out,
         }
@@ -105,11 +110,12 @@ impl<'s> Worker<'s> {
         self.out
     }
 
-    /// Exact distances of some points of A, given with their faces; `hint` is a triangle near the first.
+    /// Exact distances of some points of A, given with their faces, and which triangles are nearest; `hint` is a triangle near the first.
     pub(super) fn sample(&mut self, points: impl Iterator<Item = (u32, [f64; 3])>, mut hint: Slot) {
         for (face, point) in points {
             let start = Nearest { slot: hint, distance_sq: self.scene.bvh.distance_sq(point, hint) };
             hint = self.query(face, point, start).slot;
+            self.out.nearest.push(hint);
         }
     }
 
