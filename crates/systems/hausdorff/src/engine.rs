@@ -61,39 +61,46 @@ pub(crate) fn joint_frame(a: &TriMesh, b: &TriMesh) -> (Frame, Aabb, Rounding) {
     (frame, joint, Rounding::new(frame.max_coordinate(&joint)))
 }
 
+/// A mesh that is measured, with its box and its faces in an order in which neighbours are close together.
+pub(crate) struct Ordered<'m> {
+    pub(crate) mesh: &'m TriMesh,
+    pub(crate) aabb: Aabb,
+    pub(crate) order: Vec<u32>,
+}
+
+impl<'m> Ordered<'m> {
+    pub(crate) fn new(mesh: &'m TriMesh) -> Self {
+        let aabb = Aabb::of_faces(mesh);
+        Self { mesh, aabb, order: morton_order(mesh, &aabb) }
+    }
+}
+
 /// Searches in the frame of the target. A target without neighbours comes with the mesh `b` that it was made of; the target keeps the
 /// neighbours if the search needed them.
 pub(crate) fn search(
     question: &Question<'_>,
-    a: &TriMesh,
+    a: &Ordered<'_>,
     target: &Target,
     b: Option<&TriMesh>,
 ) -> DirectedReport {
     let started = Instant::now();
-    let a_box = Aabb::of_faces(a);
+    let Ordered { mesh: a, aabb: a_box, order } = a;
     let joint = a_box.union(target.aabb());
     let reframed;
-    let target = if target.suits(&a_box) {
+    let target = if target.suits(a_box) {
         target
     } else {
         reframed = target.reframed(&joint);
         &reframed
     };
-    let rounding = Rounding::new(target.max_coordinate_with(&a_box));
+    let rounding = Rounding::new(target.max_coordinate_with(a_box));
     let limits = question.limits(&joint, target.frame(), rounding);
     let stages = question.stages(&limits);
     let later = if b.is_some() { target.faces() * NEIGHBOURS } else { 0 };
     let held = bytes_of(a) + target.bytes() + later + a.faces().len() * size_of::<u32>();
     let control = question.control().holding(held);
-    let order = morton_order(a, &a_box);
-    let scene = Scene {
-        a,
-        order: &order,
-        frame: target.frame(),
-        bvh: target.bvh(),
-        neighbours: None,
-        control: &control,
-    };
+    let scene =
+        Scene { a, order, frame: target.frame(), bvh: target.bvh(), neighbours: None, control: &control };
     let mut search = Search::new(scene, limits, question.options.observer(), question.direction);
     search.sample();
     // A prepared target with its neighbours gives the same report as one without.

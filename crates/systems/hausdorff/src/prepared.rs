@@ -5,6 +5,7 @@ use crate::report::Direction;
 use crate::target::Target;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
+use pompeiu_core::spatial::Leaves;
 use pompeiu_core::{FaceId, TriMesh};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -72,6 +73,8 @@ pub struct PreparedPair<'m> {
     parts: Option<[Part; 2]>,
     /// Whether what was made for one direction is kept once that is done.
     keeps: bool,
+    /// Those of its trees.
+    leaves: Leaves,
     made: [Mutex<Made>; 2],
 }
 
@@ -95,12 +98,24 @@ impl Made {
 impl<'m> PreparedPair<'m> {
     /// A pair of which nothing is made yet.
     pub fn new(a: impl Into<Held<'m>>, b: impl Into<Held<'m>>) -> Self {
-        Self { a: a.into(), b: b.into(), parts: None, keeps: true, made: Default::default() }
+        Self {
+            a: a.into(),
+            b: b.into(),
+            parts: None,
+            keeps: true,
+            leaves: Leaves::Compact,
+            made: Default::default(),
+        }
     }
 
     /// The same, of which nothing is kept once a direction is done: for a single question.
     pub(crate) fn for_one_question(a: &'m TriMesh, b: &'m TriMesh) -> Self {
         Self { keeps: false, ..Self::new(a, b) }
+    }
+
+    /// The same for a single distance, whose search asks few questions of its trees.
+    pub(crate) fn for_one_distance(a: &'m TriMesh, b: &'m TriMesh) -> Self {
+        Self { leaves: Leaves::Consecutive, ..Self::for_one_question(a, b) }
     }
 
     /// The same pair; what was made for one direction is kept once that is done only if that is wanted. By default it is.
@@ -121,7 +136,7 @@ impl<'m> PreparedPair<'m> {
     /// The same A with another B; what was made of the pair goes.
     #[must_use]
     pub fn with_b(self, b: impl Into<Held<'m>>) -> Self {
-        Self { keeps: self.keeps, ..Self::new(self.a, b) }
+        Self { keeps: self.keeps, leaves: self.leaves, ..Self::new(self.a, b) }
     }
 
     /// A.
@@ -200,7 +215,9 @@ impl<'m> PreparedPair<'m> {
     pub(crate) fn target(&self, direction: Direction, frame: Frame) -> Arc<Target> {
         let mut made = self.made(direction);
         let known = made.target_in(&frame);
-        known.unwrap_or_else(|| self.keep(&mut made, Target::in_frame(self.other(direction), frame)))
+        known.unwrap_or_else(|| {
+            self.keep(&mut made, Target::in_frame(self.other(direction), frame, self.leaves))
+        })
     }
 
     /// The same; none if it has to be built and building is stopped.
@@ -214,7 +231,7 @@ impl<'m> PreparedPair<'m> {
         if let Some(known) = made.target_in(&frame) {
             return Some(known);
         }
-        let target = Target::unless_stopped(self.other(direction), frame, control)?;
+        let target = Target::unless_stopped(self.other(direction), frame, self.leaves, control)?;
         Some(self.keep(&mut made, target))
     }
 

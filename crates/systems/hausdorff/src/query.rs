@@ -1,6 +1,6 @@
 //! From meshes and options to reports.
 
-use crate::engine::{self, Question};
+use crate::engine::{self, Ordered, Question};
 use crate::options::{HausdorffOptions, Method};
 use crate::prepared::PreparedPair;
 use crate::report::{DirectedReport, Direction, StopReason, SymmetricReport};
@@ -27,7 +27,7 @@ use pompeiu_core::run::on_threads;
 /// # Source
 /// Definition and the branch-and-bound frame: `sacht_cascading_2024` in `REFERENCES.bib`; mixture bounds and cuts are ours.
 pub fn directed_hausdorff(a: &TriMesh, b: &TriMesh) -> DirectedReport {
-    let pair = PreparedPair::for_one_question(a, b);
+    let pair = PreparedPair::for_one_distance(a, b);
     HausdorffOptions::default().one_direction(&pair, Direction::AToB, None)
 }
 
@@ -44,7 +44,7 @@ impl HausdorffOptions<'_> {
     pub fn directed(&self, a: &TriMesh, b: &TriMesh) -> Result<DirectedReport, OptionError> {
         self.check()?;
         let deadline = self.limits.deadline();
-        let pair = PreparedPair::for_one_question(a, b);
+        let pair = PreparedPair::for_one_distance(a, b);
         Ok(on_threads(self.limits.threads, || self.one_direction(&pair, Direction::AToB, deadline)))
     }
 
@@ -70,7 +70,7 @@ impl HausdorffOptions<'_> {
         self.check()?;
         let question =
             Question { options: self, direction: Direction::AToB, deadline: self.limits.deadline() };
-        Ok(on_threads(self.limits.threads, || engine::search(&question, a, b, None)))
+        Ok(on_threads(self.limits.threads, || engine::search(&question, &Ordered::new(a), b, None)))
     }
 
     /// Encloses `H(A, B)`, with both directed distances.
@@ -96,7 +96,7 @@ impl HausdorffOptions<'_> {
     }
 
     pub(crate) fn both_directions(&self, a: &TriMesh, b: &TriMesh) -> SymmetricReport {
-        self.both_directions_of(&PreparedPair::for_one_question(a, b))
+        self.both_directions_of(&PreparedPair::for_one_distance(a, b))
     }
 
     fn both_directions_of(&self, pair: &PreparedPair<'_>) -> SymmetricReport {
@@ -138,12 +138,16 @@ impl HausdorffOptions<'_> {
             return coarse::bound(&question, a, b, StopReason::Memory);
         }
         let control = question.control();
-        let Some(target) = pair.target_unless_stopped(direction, Frame::of(&Aabb::of_faces(b)), &control)
-        else {
-            return coarse::bound(&question, a, b, control.reason().unwrap_or(StopReason::Time));
+        // Together, so that what one does in series runs beside the other.
+        let (target, a) = rayon::join(
+            || pair.target_unless_stopped(direction, Frame::of(&Aabb::of_faces(b)), &control),
+            || Ordered::new(a),
+        );
+        let Some(target) = target else {
+            return coarse::bound(&question, a.mesh, b, control.reason().unwrap_or(StopReason::Time));
         };
         let build = started.elapsed();
-        let mut report = engine::search(&question, a, &target, Some(b));
+        let mut report = engine::search(&question, &a, &target, Some(b));
         report.timing.build += build;
         report
     }

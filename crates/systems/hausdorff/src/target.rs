@@ -3,7 +3,7 @@
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Neighbours};
+use pompeiu_core::spatial::{Bvh, Leaves, Neighbours};
 use std::sync::OnceLock;
 
 /// Bytes per face of the neighbours of a tree.
@@ -27,20 +27,27 @@ pub struct Target {
 impl Target {
     /// Prepares a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
-        let target = Self::in_frame(mesh, Frame::of(&Aabb::of_faces(mesh)));
+        let frame = Frame::of(&Aabb::of_faces(mesh));
+        let target = Self::in_frame(mesh, frame, Leaves::Consecutive);
         target.neighbours_in(mesh);
         target
     }
 
     /// The same in a given frame, without neighbours until they are wanted; none if it is told to stop before the tree is built.
-    pub(crate) fn unless_stopped(mesh: &TriMesh, frame: Frame, control: &Control) -> Option<Self> {
-        let bvh = Bvh::build_unless_stopped(mesh, &frame, control)?;
-        Some(Self::of_tree(bvh, frame, Aabb::of_faces(mesh)))
+    pub(crate) fn unless_stopped(
+        mesh: &TriMesh,
+        frame: Frame,
+        leaves: Leaves,
+        control: &Control,
+    ) -> Option<Self> {
+        let aabb = Aabb::of_faces(mesh);
+        let bvh = Bvh::build_unless_stopped(mesh, &aabb, &frame, leaves, control)?;
+        Some(Self::of_tree(bvh, frame, aabb))
     }
 
     /// The same in a given frame, for one question.
-    pub(crate) fn in_frame(mesh: &TriMesh, frame: Frame) -> Self {
-        Self::of_tree(Bvh::build(mesh, &frame), frame, Aabb::of_faces(mesh))
+    pub(crate) fn in_frame(mesh: &TriMesh, frame: Frame, leaves: Leaves) -> Self {
+        Self::unless_stopped(mesh, frame, leaves, &Control::default()).expect("nothing stops it")
     }
 
     fn of_tree(bvh: Bvh, frame: Frame, aabb: Aabb) -> Self {

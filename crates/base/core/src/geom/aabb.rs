@@ -12,6 +12,9 @@ pub struct Aabb {
     pub upper: [f64; 3],
 }
 
+/// Points whose coordinates are looked at together.
+const TOGETHER: usize = 4;
+
 impl Aabb {
     /// The box of no points.
     pub const EMPTY: Self = Self { lower: [f64::INFINITY; 3], upper: [f64::NEG_INFINITY; 3] };
@@ -30,15 +33,34 @@ impl Aabb {
         // A vertex belongs to several faces: all vertices are fewer, and mostly each of the outermost belongs to some face.
         const CHUNK: usize = 1 << 14;
         let of_all =
-            mesh.positions().par_chunks(CHUNK).map(Self::of_points).reduce(|| Self::EMPTY, Self::union);
+            mesh.positions().par_chunks(CHUNK).map(Self::of_many).reduce(|| Self::EMPTY, Self::union);
         if of_all.is_reached(mesh) { of_all } else { Self::of_used(mesh) }
+    }
+
+    /// [`Self::of_points`], four points at a time: so the loop over their coordinates is vectorised.
+    fn of_many(points: &[[f64; 3]]) -> Self {
+        let (fours, rest) = points.as_chunks::<TOGETHER>();
+        let (mut lower, mut upper) = ([f64::INFINITY; 3 * TOGETHER], [f64::NEG_INFINITY; 3 * TOGETHER]);
+        for four in fours {
+            let four = four.as_flattened();
+            for i in 0..3 * TOGETHER {
+                lower[i] = if four[i] < lower[i] { four[i] } else { lower[i] };
+                upper[i] = if four[i] > upper[i] { four[i] } else { upper[i] };
+            }
+        }
+        lower
+            .as_chunks()
+            .0
+            .iter()
+            .zip(upper.as_chunks().0)
+            .fold(Self::of_points(rest), |aabb, ends| aabb.union(Self { lower: *ends.0, upper: *ends.1 }))
     }
 
     /// Whether faces reach all sides of the box of all vertices. May say no where many vertices lie on its sides.
     fn is_reached(&self, mesh: &TriMesh) -> bool {
         /// Vertices on sides that are looked for, and how many of those of faces are compared with them at a time.
         const MOST: usize = 8;
-        const TOGETHER: usize = 256;
+        const COMPARED: usize = 256;
         let sides = |p: &[f64; 3]| {
             (0..3).fold(0, |sides, k| {
                 sides
@@ -46,15 +68,23 @@ impl Aabb {
                     | u32::from(p[k] == self.upper[k]) << (2 * k + 1)
             })
         };
+        let (lower, upper) = ([self.lower; TOGETHER], [self.upper; TOGETHER]);
         let mut outermost = [(u32::MAX, 0); MOST];
-        let on_sides = mesh.positions().iter().map(sides).zip(0..).filter(|(sides, _)| *sides != 0);
         let mut count = 0;
-        for (sides, vertex) in on_sides {
-            let Some(place) = outermost.get_mut(count) else { return false };
-            (*place, count) = ((vertex, sides), count + 1);
+        for (points, first) in mesh.positions().chunks(TOGETHER).zip((0..).step_by(TOGETHER)) {
+            if points.first_chunk().is_some_and(|four| !any_equal(four, &lower) && !any_equal(four, &upper)) {
+                continue;
+            }
+            for (p, vertex) in points.iter().zip(first..) {
+                let sides = sides(p);
+                if sides != 0 {
+                    let Some(place) = outermost.get_mut(count) else { return false };
+                    (*place, count) = ((vertex, sides), count + 1);
+                }
+            }
         }
         let mut reached = 0;
-        for vertices in mesh.faces().as_flattened().chunks(TOGETHER) {
+        for vertices in mesh.faces().as_flattened().chunks(COMPARED) {
             for (vertex, sides) in &outermost[..count] {
                 // Without an end before the last: so it is vectorised.
                 let found = vertices.iter().fold(0, |found, v| found | u32::from(v == vertex));
@@ -137,6 +167,16 @@ impl Aabb {
     pub fn max_coordinate(&self) -> f64 {
         self.lower.iter().chain(&self.upper).fold(0.0, |m, x| if x.abs() > m { x.abs() } else { m })
     }
+}
+
+/// Whether any coordinate of four points equals that of another four, without an end before the last: so it is vectorised.
+fn any_equal(four: &[[f64; 3]; TOGETHER], others: &[[f64; 3]; TOGETHER]) -> bool {
+    let (four, others) = (four.as_flattened(), others.as_flattened());
+    let mut equal = 0;
+    for i in 0..3 * TOGETHER {
+        equal |= u64::from(four[i] == others[i]);
+    }
+    equal != 0
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ mod morton;
 mod neighbours;
 mod winding;
 
-pub use bvh::{Bvh, Cover, Leaf, Nearest, Slot, Workspace};
+pub use bvh::{Bvh, Cover, Leaf, Leaves, Nearest, Slot, Workspace};
 pub use intersections::{
     IntersectingPair, SelfIntersections, faces_intersect, self_intersections, self_intersections_in,
 };

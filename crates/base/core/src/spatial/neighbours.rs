@@ -3,6 +3,7 @@
 use super::bvh::{Bvh, Slot};
 use crate::mesh::{TriMesh, has_three_vertices};
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 /// A triangle across an edge.
@@ -22,8 +23,7 @@ pub struct Neighbour {
 /// with one face or more than two, nor across any edge of a face that repeats a vertex.
 ///
 /// # Cost
-/// 12 bytes per face; some 40 more per face while it is built in O(m) time (at bounded valence), on all threads of the current pool if they are more
-/// than four.
+/// 12 bytes per face; some 40 more per face while it is built in O(m) time (at bounded valence), on all threads of the current pool.
 #[derive(Clone, Debug)]
 pub struct Neighbours {
     /// Slot, direction and edge, packed; [`NONE`] where there is no neighbour.
@@ -35,8 +35,8 @@ const NONE: u32 = u32::MAX;
 const MOST_FACES: usize = (1 << 29) - 1;
 /// Fewest faces per parallel part.
 const PART: usize = 1 << 11;
-/// So few threads take longer together than one that pairs edges as it meets them.
-const FEW_THREADS: usize = 4;
+/// So few threads take longer to sort edges by vertices than to meet all of them in each thread.
+const FEW_THREADS: usize = 8;
 /// Edges at a vertex that are compared one by one then.
 const MOST_AT_VERTEX: usize = 64;
 /// Up to this many uses at one vertex are compared pairwise; more are sorted.
@@ -49,7 +49,8 @@ impl Neighbours {
         if count > MOST_FACES {
             return Self { across: Vec::new() };
         }
-        let across = if rayon::current_num_threads() <= FEW_THREADS { one_by_one(mesh, bvh) } else { None };
+        let threads = rayon::current_num_threads();
+        let across = if threads <= FEW_THREADS { as_they_come(mesh, bvh, threads) } else { None };
         if let Some(across) = across {
             return Self { across };
         }
@@ -145,12 +146,24 @@ struct Waiting {
     before: u32,
 }
 
-/// The same as in parallel, in one pass over all triangles; none where many edges meet at a vertex.
-fn one_by_one(mesh: &TriMesh, bvh: &Bvh) -> Option<Vec<[u32; 3]>> {
-    let mut across = vec![[NONE; 3]; bvh.len()];
-    let mut last_at = vec![NONE; mesh.positions().len()];
+/// The same, in one pass over all triangles in each thread, which pairs the edges of a range of lesser vertices; none where many edges
+/// meet at a vertex.
+fn as_they_come(mesh: &TriMesh, bvh: &Bvh, threads: usize) -> Option<Vec<[u32; 3]>> {
+    let across: Vec<[AtomicU32; 3]> = bvh.slots().map(|_| [NONE; 3].map(AtomicU32::new)).collect();
+    let count = mesh.positions().len();
+    let parts = (bvh.len() / PART).clamp(1, threads);
+    let all_paired = (0..parts)
+        .into_par_iter()
+        .with_max_len(1)
+        .all(|part| pair_at(count * part / parts..count * (part + 1) / parts, mesh, bvh, &across));
+    all_paired.then(|| across.into_iter().map(|edges| edges.map(AtomicU32::into_inner)).collect())
+}
+
+/// Pairs the edges whose lesser vertex is in a range. False where many edges meet at one of them.
+fn pair_at(vertices: Range<usize>, mesh: &TriMesh, bvh: &Bvh, across: &[[AtomicU32; 3]]) -> bool {
+    let mut last_at = vec![NONE; vertices.len()];
     // Of a closed surface half as many wait as there are edges of triangles.
-    let mut waiting: Vec<Waiting> = Vec::with_capacity(3 * bvh.len() / 2 + 64);
+    let mut waiting: Vec<Waiting> = Vec::with_capacity(3 * vertices.len() + 64);
     for slot in bvh.slots() {
         let face = mesh.faces()[bvh.face(slot).index()];
         if !has_three_vertices(face) {
@@ -160,44 +173,48 @@ fn one_by_one(mesh: &TriMesh, bvh: &Bvh) -> Option<Vec<[u32; 3]>> {
             [(face[0], face[1]), (face[1], face[2]), (face[2], face[0])].into_iter().enumerate()
         {
             let (lesser, greater, backward) = if a < b { (a, b, 0) } else { (b, a, 4) };
+            // What is less than the start wraps around to a place beyond the end.
+            let Some(last) = last_at.get_mut((lesser as usize).wrapping_sub(vertices.start)) else {
+                continue;
+            };
             let packed = (slot.index() * 8 + backward + k) as u32;
-            let mut place = last_at[lesser as usize];
+            let mut place = *last;
             let mut steps = 0;
             while place != NONE && waiting[place as usize].greater != greater {
                 place = waiting[place as usize].before;
                 steps += 1;
             }
             if steps > MOST_AT_VERTEX {
-                return None;
+                return false;
             }
             if place == NONE {
-                let before = std::mem::replace(&mut last_at[lesser as usize], waiting.len() as u32);
+                let before = std::mem::replace(last, waiting.len() as u32);
                 waiting.push(Waiting { greater, packed, before });
                 continue;
             }
-            let other = &mut waiting[place as usize].packed;
-            let first = *other;
-            if first == NONE {
-                // More than three triangles at this edge.
-                continue;
-            }
-            let at = |packed: u32| ((packed >> 3) as usize, (packed & 3) as usize);
-            let ((slot, edge), (this, own)) = (at(first), at(packed));
-            let second = across[slot][edge];
-            if second == NONE {
-                let same = u32::from((first ^ packed) & 4 == 0) << 2;
-                across[slot][edge] = packed & !4 | same;
-                across[this][own] = first & !4 | same;
-            } else {
-                // The third one: none of them has a neighbour here.
-                across[slot][edge] = NONE;
-                let (slot, edge) = at(second);
-                across[slot][edge] = NONE;
-                *other = NONE;
-            }
+            meet(&mut waiting[place as usize].packed, packed, across);
         }
     }
-    Some(across)
+    true
+}
+
+/// Pairs the first use of an edge with another; where three meet none has a neighbour, and the first becomes [`NONE`].
+fn meet(first: &mut u32, packed: u32, across: &[[AtomicU32; 3]]) {
+    if *first == NONE {
+        // More than three triangles at this edge.
+        return;
+    }
+    let at = |packed: u32| &across[(packed >> 3) as usize][(packed & 3) as usize];
+    let second = at(*first).load(Ordering::Relaxed);
+    if second == NONE {
+        let same = u32::from((*first ^ packed) & 4 == 0) << 2;
+        at(*first).store(packed & !4 | same, Ordering::Relaxed);
+        at(packed).store(*first & !4 | same, Ordering::Relaxed);
+    } else {
+        at(*first).store(NONE, Ordering::Relaxed);
+        at(second).store(NONE, Ordering::Relaxed);
+        *first = NONE;
+    }
 }
 
 /// Reports each pair of uses of an edge that has exactly two.
@@ -279,7 +296,7 @@ mod tests {
         // Edges with one to five faces, in both directions, and faces that repeat a vertex; many faces at a vertex.
         let soup = (0..600_u32).map(|i| [i % 7, (i / 3) % 8, (i * i + 5) % 9]).collect();
         for mesh in [icosphere(1.0, 2).unwrap(), mesh(soup), mesh(fan(20)), mesh(fan(390))] {
-            assert_eq!(with(1, &mesh), with(8, &mesh));
+            assert_eq!(with(1, &mesh), with(FEW_THREADS + 1, &mesh));
         }
     }
 
@@ -312,6 +329,9 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| neighbours(&mesh).1.across)
         };
-        assert_eq!(with(1), with(5));
+        let one = with(1);
+        for threads in [2, 5, FEW_THREADS, FEW_THREADS + 1] {
+            assert_eq!(with(threads), one, "{threads}");
+        }
     }
 }

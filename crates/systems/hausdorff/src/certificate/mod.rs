@@ -26,7 +26,7 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::request::hexadecimal;
 use pompeiu_core::run::{Control, Limits, StopReason, on_threads};
-use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
+use pompeiu_core::spatial::{Bvh, Leaves, Neighbours, Slot, Workspace};
 use pompeiu_verify::kernel::Facet;
 use pompeiu_verify::{BLOCK, MAGIC, Pair, Soup, Witness};
 use rayon::prelude::*;
@@ -283,11 +283,13 @@ impl Writer<'_> {
     /// Writes the blocks by trees over B; the number of cells. `asked` is the upper end in the unit of the meshes.
     fn with_trees(&self, upper: f64, asked: f64, into: &mut Counting<'_>) -> Result<u64, CertificateError> {
         let [a, b] = self.meshes;
-        let frame = Frame::of(&Aabb::of_faces(a).union(Aabb::of_faces(b)));
+        let b_box = Aabb::of_faces(b);
+        let frame = Frame::of(&Aabb::of_faces(a).union(b_box));
         if self.control.is_stopped() {
             return Err(self.stopped());
         }
-        let bvh = Bvh::build_unless_stopped(b, &frame, self.control).ok_or_else(|| self.stopped())?;
+        let bvh = Bvh::build_unless_stopped(b, &b_box, &frame, Leaves::Compact, self.control)
+            .ok_or_else(|| self.stopped())?;
         let near = nearest(a, &bvh, &frame);
         let neighbours = (upper < FINE * mean_side(a)).then(|| Neighbours::new(b, &bvh));
         let scene = Scene {

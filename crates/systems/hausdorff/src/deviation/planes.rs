@@ -565,7 +565,7 @@ mod tests {
             let faces: Vec<[u32; 3]> = (0..points.len() as u32 - 2).map(|i| [i, i + 1, i + 2]).collect();
             let mesh = TriMesh::new(points, faces).unwrap();
             let rounding = Rounding::new(4.0);
-            let target = Target::in_frame(&mesh, pompeiu_core::geom::Frame::of(&pompeiu_core::geom::Aabb::of_faces(&mesh)));
+            let target = Target::in_frame(&mesh, pompeiu_core::geom::Frame::of(&pompeiu_core::geom::Aabb::of_faces(&mesh)), pompeiu_core::spatial::Leaves::Compact);
             let bvh = target.bvh();
             let neighbours = Neighbours::new(&mesh, bvh);
             let corners = t.map(|[x, y, z]| target.frame().map([size * x, size * y, size * z + above]));

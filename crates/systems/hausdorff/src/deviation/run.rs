@@ -17,7 +17,7 @@ use super::signed::{self, Signs};
 use super::statistics::{StatisticsQuery, length_out};
 use super::task::Faces;
 use super::unknown::unknown;
-use crate::engine::{self, Question};
+use crate::engine::{self, Ordered, Question};
 use crate::observer::{MeanSoFar, Observer, Progress};
 use crate::options::HausdorffOptions;
 use crate::prepared::PreparedPair;
@@ -26,10 +26,8 @@ use crate::rounding::Rounding;
 use crate::search::Scene;
 use crate::target::Target;
 use pompeiu_core::TriMesh;
-use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Control;
 use pompeiu_core::run::Instant;
-use pompeiu_core::spatial::morton_order;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -58,7 +56,8 @@ const FINISHING: u32 = 2;
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
     let Pair { from, to, target, direction, prepared, deadline, room, signed } = *pair;
-    let a_box = Aabb::of_faces(from);
+    let ordered = Ordered::new(from);
+    let a_box = ordered.aabb;
     let frame = *target.frame();
     let bvh = target.bvh();
     let rounding = Rounding::new(target.max_coordinate_with(&a_box));
@@ -70,7 +69,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     // What a search takes is counted before (see `memory`).
     let options = HausdorffOptions { observer: Some(&watched), ..HausdorffOptions::default() };
     let question = Question { options: &options, direction, deadline: half };
-    let distance = engine::search(&question, from, target, Some(to)).at_most(prepared.farthest(direction));
+    let distance =
+        engine::search(&question, &ordered, target, Some(to)).at_most(prepared.farthest(direction));
     let search = started.elapsed();
     let largest = frame.length_in(distance.distance.upper()).next_up();
 
@@ -80,7 +80,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     if watched.cancelled.load(Ordering::Relaxed) {
         early.stop(StopReason::Cancelled);
     }
-    let order = if early.is_stopped() { Vec::new() } else { morton_order(from, &a_box) };
+    let order = if early.is_stopped() { Vec::new() } else { ordered.order };
     let Some(vertices) = prepared.vertices(direction, &order, target, &early) else {
         let stop = early.reason().unwrap_or(StopReason::Time);
         let mut outcome = unknown(query, from, &frame, direction, floor, distance, stop);

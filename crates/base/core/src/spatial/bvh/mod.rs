@@ -16,6 +16,7 @@ use crate::geom::point_triangle::{LANES, TriangleBlock, lane_of};
 
 use std::ops::ControlFlow;
 
+pub use build::Leaves;
 pub use cover::Cover;
 pub use meet::Leaf;
 pub use nearest::{Nearest, Workspace};

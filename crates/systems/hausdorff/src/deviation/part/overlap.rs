@@ -23,7 +23,7 @@ use crate::target::Target;
 use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_core::spatial::{Bvh, Slot, Workspace, morton_order};
+use pompeiu_core::spatial::{Bvh, Leaves, Slot, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
 
@@ -61,7 +61,8 @@ impl Part {
     ) -> Option<Self> {
         let Some(boundary) = boundary(pair.other(direction)) else { return Some(self.clone()) };
         let frame = joint_frame(pair.a(), pair.b()).0;
-        let (surface, boundary) = (pair.target(direction, frame), Target::in_frame(&boundary, frame));
+        let (surface, boundary) =
+            (pair.target(direction, frame), Target::in_frame(&boundary, frame, Leaves::Compact));
         let trees = [surface.bvh(), boundary.bvh()];
         let whole = pair.whole(direction);
         let finest = finest(pair, &frame);
