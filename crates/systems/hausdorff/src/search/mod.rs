@@ -220,6 +220,9 @@ impl<'s, 'o> Search<'s, 'o> {
     /// Exact distances at the corners of the faces that are left: cheap, and the maximum is often there. Faces of B that are nearest to
     /// corners are what pieces start from.
     fn ask_corners(&mut self) {
+        if self.open.iter().all(|piece| piece.depth > 0) {
+            return;
+        }
         let lower = self.found.distance;
         let mut nearest = vec![None; self.scene.a.positions().len()];
         let mut corners = Vec::new();
