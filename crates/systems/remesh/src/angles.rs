@@ -2,10 +2,8 @@
 
 use super::candidates::Triangle;
 use super::flips::hinge;
-use super::local::{Fan, Local, distance_from, flipped, least_sine, middle, sine};
+use super::local::{Collapsible, Fan, Local, distance_from, flipped, least_sine, middle, sine};
 use super::marked::{Collapse, Freedom, Hold};
-use super::smooth::keeps_normal;
-use super::star::Star;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::Slot;
 
@@ -17,9 +15,6 @@ const STEP: f64 = 0.25;
 
 /// By how much the sine of an angle must grow for a vertex to move.
 const WORTH: f64 = 1e-3;
-
-/// Longest edge that a collapse may make, in target lengths.
-const LONGEST: f64 = 1.6;
 
 impl Local<'_> {
     /// Flips edges, moves vertices and collapses edges at faces with angles below one, in degrees, where this makes the least angle there
@@ -86,31 +81,23 @@ impl Local<'_> {
     }
 
     fn collapse_for_angle(&mut self, h: u32, share: f64) -> bool {
-        let Some(way) = self.surface.collapse_of(h) else { return false };
-        let v = self.surface.mesh.to(way.halfedge);
-        let ends = [self.surface.mesh.from(way.halfedge), v].map(|v| self.surface.mesh.positions[v as usize]);
-        let star = Star::new(self.surface, way.halfedge);
-        let triangles = |faces: &[u32]| faces.iter().map(|f| self.surface.triangle(*f)).collect::<Vec<_>>();
-        let (old, kept) = (triangles(&star.gone), triangles(&star.kept));
-        let positions = match way.freedom {
-            Freedom::None => vec![way.position],
-            Freedom::Curve => ends.to_vec(),
+        let Some(edge) = Collapsible::new(self.surface, h) else { return false };
+        let positions = match edge.way.freedom {
+            Freedom::None => vec![edge.way.position],
+            Freedom::Curve => edge.ends.to_vec(),
             Freedom::Surface => {
-                let near = self.surface.near[v as usize];
-                let [p, q] = ends;
+                let near = self.surface.near[edge.vertex as usize];
+                let [p, q] = edge.ends;
                 vec![self.project(0.5 * (p + q), near).0, p, q]
             }
         };
-        let longest = LONGEST * self.surface.length[v as usize];
-        let mut new = Vec::with_capacity(star.kept.len());
+        let mut new = Vec::with_capacity(edge.star.kept.len());
         for position in positions {
-            star.moved(self.surface, position, &mut new);
-            if least_sine(&new) > least_sine(&old)
-                && kept.iter().zip(&new).all(|(old, new)| keeps_normal(*old, *new))
-                && new.iter().flatten().all(|p| p.distance_squared(position) <= longest * longest)
-                && self.keeps_near(v, &ends, &old, &new, share)
+            if edge.place(self.surface, position, &mut new)
+                && least_sine(&new) > least_sine(&edge.old)
+                && self.keeps_near(edge.vertex, &edge.ends, &edge.old, &new, share)
             {
-                return self.surface.collapse(&Collapse { position, ..way }).is_some();
+                return self.surface.collapse(&Collapse { position, ..edge.way }).is_some();
             }
         }
         false

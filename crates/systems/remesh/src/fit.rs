@@ -76,7 +76,6 @@ impl Local<'_> {
                 .collect();
             far.sort_by(|x, y| y.distance.total_cmp(&x.distance));
             heights.sort_by(|x, y| y.distance.total_cmp(&x.distance).then(x.face.cmp(&y.face)));
-            far.retain(|x| x.distance > WATCHED * worst);
             heights.retain(|x| x.distance > WATCHED * worst);
             let touched = self.lower_each(&far, &heights, worst, places);
             if touched.is_empty() {

@@ -1,9 +1,10 @@
 //! Changes of a remeshed surface at one place after the other: what those that raise angles and those that lower distances share.
 
 use super::candidates::Triangle;
-use super::marked::Marked;
+use super::marked::{Collapse, Marked};
 use super::reference::Reference;
 use super::smooth::{area_vector, keeps_normal};
+use super::star::Star;
 use glam::DVec3;
 use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
@@ -16,6 +17,9 @@ const HALVINGS: usize = 5;
 
 /// Cosine between the normals of both faces of an edge after a flip, at least.
 const LEAST_COSINE: f64 = 0.5;
+
+/// Longest edge that a collapse may make, in target lengths.
+const LONGEST: f64 = 1.6;
 
 /// A surface that is changed near the input.
 pub(super) struct Local<'s> {
@@ -57,6 +61,38 @@ impl Fan {
             .iter()
             .zip(&self.corners)
             .flat_map(|(face, &corner)| [middle(face), 0.5 * (face[corner] + face[(corner + 1) % 3])])
+    }
+}
+
+/// A collapse that is possible, with the faces around the edge as they are.
+pub(super) struct Collapsible {
+    pub(super) way: Collapse,
+    /// The vertex that stays.
+    pub(super) vertex: u32,
+    pub(super) ends: [DVec3; 2],
+    pub(super) star: Star,
+    /// All faces around the edge, and those of them that stay.
+    pub(super) old: Vec<Triangle>,
+    kept: Vec<Triangle>,
+}
+
+impl Collapsible {
+    pub(super) fn new(surface: &Marked, h: u32) -> Option<Self> {
+        let way = surface.collapse_of(h)?;
+        let [from, vertex] = [surface.mesh.from(way.halfedge), surface.mesh.to(way.halfedge)];
+        let ends = [from, vertex].map(|v| surface.mesh.positions[v as usize]);
+        let star = Star::new(surface, way.halfedge);
+        let triangles = |faces: &[u32]| faces.iter().map(|f| surface.triangle(*f)).collect();
+        let (old, kept) = (triangles(&star.gone), triangles(&star.kept));
+        Some(Self { way, vertex, ends, star, old, kept })
+    }
+
+    /// Makes `new` the faces that stay with both ends at a position. False where one of them turns over, or an edge there is too long.
+    pub(super) fn place(&self, surface: &Marked, position: DVec3, new: &mut Vec<Triangle>) -> bool {
+        let longest = LONGEST * surface.length[self.vertex as usize];
+        self.star.moved(surface, position, new);
+        self.kept.iter().zip(&*new).all(|(old, new)| keeps_normal(*old, *new))
+            && new.iter().flatten().all(|p| p.distance_squared(position) <= longest * longest)
     }
 }
 

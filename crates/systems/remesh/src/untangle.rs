@@ -6,10 +6,8 @@
 use super::candidates::Triangle;
 use super::face_tree::FaceTree;
 use super::flips::hinge;
-use super::local::{Fan, Local, flipped, least_sine};
+use super::local::{Collapsible, Fan, Local, flipped, least_sine};
 use super::marked::{Collapse, Freedom, Hold};
-use super::smooth::keeps_normal;
-use super::star::Star;
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::spatial::bvh::Slot;
@@ -27,8 +25,7 @@ const MOST_PAIRS: usize = 64;
 /// First step of a vertex, in target lengths.
 const STEP: f64 = 0.3;
 
-/// Longest edge that a collapse may make, and how far it may move the surface, in target lengths.
-const LONGEST: f64 = 1.6;
+/// How far a collapse may move the surface, in target lengths.
 const MOVED: f64 = 0.5;
 
 /// Where the faces of a surface are, with memory for searches.
@@ -126,29 +123,21 @@ impl Local<'_> {
     }
 
     fn collapse_apart(&mut self, h: u32, faces: &mut Faces) -> bool {
-        let Some(way) = self.surface.collapse_of(h) else { return false };
-        let v = self.surface.mesh.to(way.halfedge);
-        let ends = [self.surface.mesh.from(way.halfedge), v].map(|v| self.surface.mesh.positions[v as usize]);
-        let star = Star::new(self.surface, way.halfedge);
-        let triangles = |faces: &[u32]| faces.iter().map(|f| self.surface.triangle(*f)).collect::<Vec<_>>();
-        let (old, kept) = (triangles(&star.gone), triangles(&star.kept));
-        let before = self.crossings(&star.gone, &old, faces);
-        let positions = match way.freedom {
-            Freedom::None => vec![way.position],
-            Freedom::Curve | Freedom::Surface => ends.to_vec(),
+        let Some(edge) = Collapsible::new(self.surface, h) else { return false };
+        let before = self.crossings(&edge.star.gone, &edge.old, faces);
+        let positions = match edge.way.freedom {
+            Freedom::None => vec![edge.way.position],
+            Freedom::Curve | Freedom::Surface => edge.ends.to_vec(),
         };
-        let longest = LONGEST * self.surface.length[v as usize];
-        let mut new = Vec::with_capacity(star.kept.len());
+        let mut new = Vec::with_capacity(edge.star.kept.len());
         for position in positions {
-            star.moved(self.surface, position, &mut new);
-            if faces.allow(&old, &new)
-                && kept.iter().zip(&new).all(|(old, new)| keeps_normal(*old, *new))
-                && new.iter().flatten().all(|p| p.distance_squared(position) <= longest * longest)
-                && self.keeps_near(v, &ends, &old, &new, MOVED)
-                && self.crossings(&star.gone, &new, faces) < before
+            if edge.place(self.surface, position, &mut new)
+                && faces.allow(&edge.old, &new)
+                && self.keeps_near(edge.vertex, &edge.ends, &edge.old, &new, MOVED)
+                && self.crossings(&edge.star.gone, &new, faces) < before
             {
-                let is_done = self.surface.collapse(&Collapse { position, ..way }).is_some();
-                self.grow(&star.kept, faces);
+                let is_done = self.surface.collapse(&Collapse { position, ..edge.way }).is_some();
+                self.grow(&edge.star.kept, faces);
                 return is_done;
             }
         }

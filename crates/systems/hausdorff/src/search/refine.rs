@@ -199,13 +199,13 @@ impl Worker<'_> {
             let distance = farthest.sqrt();
             let own = distance + self.limits.rounding.bound(depth);
             let inherited = bound + self.limits.rounding.cut() * f64::from(cell.cuts);
-            let near = nearest_first(slot, slots);
+            let (near, near_count) = rows.inherited(slot, &[0.0; MAX_ROWS]);
             for corners in cell.triangles() {
                 let part = Piece {
                     corners,
                     bound: if own < inherited { own } else { inherited },
                     near,
-                    near_count: slots.len().min(INHERITED) as u8,
+                    near_count,
                     nearest_known: false,
                     overlay: false,
                     depth,
@@ -282,14 +282,4 @@ impl Worker<'_> {
         rows.push(slot, [d[0].sqrt(), d[1].sqrt(), d[2].sqrt()]);
         true
     }
-}
-
-/// A face and the latest others.
-fn nearest_first(slot: Slot, slots: &[Slot]) -> [Slot; INHERITED] {
-    let mut near = [slot; INHERITED];
-    let others = slots.iter().rev().filter(|other| **other != slot);
-    for (place, other) in near[1..].iter_mut().zip(others) {
-        *place = *other;
-    }
-    near
 }

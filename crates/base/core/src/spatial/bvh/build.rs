@@ -2,7 +2,8 @@
 //!
 //! Faces are sorted by their Morton codes, and ranges of them are split where the highest bit of the code changes, so the
 //! order of faces is that of the codes down to the lowest nodes. There, [`FEW`] faces at a time are put into leaves as they follow each
-//! other, or sorted into leaves by their boxes. Where more faces have equal codes, as when nearly all of the mesh is in one corner of its bounding box, ranges are split by boxes from there on.
+//! other, or sorted into leaves by their boxes. Where more faces have equal codes, as when nearly all of the mesh is in one corner
+//! of its bounding box, ranges are split by boxes from there on.
 //!
 //! The left side of a split holds a multiple of [`FEW`] faces, or of eight where boxes decide. So all lowest nodes but the last are
 //! full, and the place of a leaf follows from the place of its triangles: subtrees are built in parallel without coordination.
