@@ -1,15 +1,26 @@
 //! Charts: components, divided where they distort most.
 
 use crate::chart::{Chart, flatten_component};
-use crate::components::Component;
+use crate::components::{Component, in_whole};
+use crate::cut::first_cut;
 use crate::distortion::Distortion;
 use crate::divide::divide;
+use crate::opened::disks;
+use crate::seams::ShortSeams;
 use crate::watch::Watch;
 use crate::{Charts, FlattenError, FlattenOptions};
+use pompeiu_surface::{EdgeData, EmbeddedSurface};
 use rayon::prelude::*;
 
 /// Charts at most where their number is free.
 const MOST_CHARTS: usize = 1024;
+
+/// Faces of a surface at most for which short seams are looked for: each seam tried takes a linear system with an unknown for each vertex of
+/// its chart.
+const MOST_FACES: usize = 40_000;
+
+/// Sets of seams that are mapped at most.
+const ATTEMPTS: usize = 200;
 
 /// A part of the surface with its map.
 struct Piece {
@@ -32,6 +43,76 @@ impl Piece {
     fn excess(&self) -> f64 {
         self.area * (self.energy - 4.0)
     }
+}
+
+/// A surface that is divided into charts, with the seams between and within them.
+pub(crate) struct Atlas {
+    pub(crate) seams: EdgeData<bool>,
+    pub(crate) parts: Vec<Component>,
+    pub(crate) charts: Vec<Chart>,
+}
+
+/// The charts between seams that are as short as possible for the distortion asked for; none where charts are not divided freely, or the
+/// distortion is not reached.
+pub(crate) fn with_short_seams(
+    surface: &EmbeddedSurface,
+    parts: &[Component],
+    options: &FlattenOptions<'_>,
+    watch: &Watch<'_>,
+) -> Result<Option<Atlas>, FlattenError> {
+    let (Charts::Auto, Some(enough)) = (options.charts, options.enough()) else { return Ok(None) };
+    let whole = surface.surface();
+    if whole.mesh().faces() > MOST_FACES {
+        return Ok(None);
+    }
+    let mut seams = EdgeData::filled(whole.mesh().edges(), false);
+    for part in parts {
+        let first = first_cut(part, &part.options(&options.cut)).map_err(|error| in_whole(error, part))?;
+        part.mark_in(whole.mesh(), &first, &mut seams);
+    }
+    let options = &FlattenOptions { most_cuts: 0, ..options.clone() };
+    let allowed = enough - 4.0;
+    let mut growing = ShortSeams::new(whole, &seams)?;
+    let mapped = |seams: &EdgeData<bool>| -> Result<Vec<Piece>, FlattenError> {
+        let one = |part: Component| {
+            let nothing_more = EdgeData::filled(part.surface.mesh().edges(), false);
+            let chart = flatten_component(&part, Some(nothing_more), options, watch)?;
+            Ok(Piece::new(part, chart))
+        };
+        disks(surface, seams)?.into_par_iter().map(one).collect()
+    };
+    // Seams with which the distortion is still too great, and its excess.
+    let mut before: Option<(EdgeData<bool>, f64)> = None;
+    let mut best: Option<(EdgeData<bool>, Vec<Piece>)> = None;
+    let mut next = Some(seams);
+    for _ in 0..ATTEMPTS {
+        let Some(seams) = next else { break };
+        let pieces = mapped(&seams)?;
+        let reached = mean_excess(&pieces);
+        if reached <= allowed || watch.is_stopped() {
+            best = Some((seams, pieces));
+            break;
+        }
+        before = Some((seams, reached));
+        next = growing.grow(allowed, watch)?;
+    }
+    // The last seam may be longer than is needed.
+    if let (Some((seams, reached)), Some((found, _))) = (&before, &best)
+        && !watch.is_stopped()
+    {
+        for seams in growing.completed(seams, *reached, allowed, growing.length(found))? {
+            let pieces = mapped(&seams)?;
+            if mean_excess(&pieces) <= allowed {
+                best = Some((seams, pieces));
+                break;
+            }
+        }
+    }
+    Ok(best.map(|(seams, mut pieces)| {
+        pieces.sort_by_key(|piece| piece.part.faces.first().copied());
+        let (parts, charts) = pieces.into_iter().map(|piece| (piece.part, piece.chart)).unzip();
+        Atlas { seams, parts, charts }
+    }))
 }
 
 /// Divides the part that adds most to the distortion, again and again, until there are as many as asked for or the distortion is low enough.
@@ -72,7 +153,11 @@ pub(crate) fn divided(
 
 /// Whether the mean energy over all parts is low enough.
 fn is_enough(pieces: &[Piece], options: &FlattenOptions<'_>) -> bool {
+    options.enough().is_some_and(|enough| 4.0 + mean_excess(pieces) <= enough)
+}
+
+/// The mean energy over all parts beyond that of an isometry.
+fn mean_excess(pieces: &[Piece]) -> f64 {
     let area: f64 = pieces.iter().map(|piece| piece.area).sum();
-    let excess: f64 = pieces.iter().map(Piece::excess).sum();
-    options.enough().is_some_and(|enough| 4.0 + excess / area <= enough)
+    pieces.iter().map(Piece::excess).sum::<f64>() / area
 }

@@ -72,10 +72,11 @@ pub(crate) fn flatten_component(
         Method::Convex { boundary, weights, around } => {
             let mut timing = timing;
             let (weights, around) = (*weights, around.as_ref());
-            let options = StartOptions { boundary, weights, around, lessens_distortion: false };
+            let partners = disk.partners.as_deref();
+            let options = StartOptions { boundary, weights, around, partners, lessens_distortion: false };
             let start = start(&disk, options, component, watch, &mut timing)?;
             let Start { uv, weights, rounds, .. } = start;
-            let uv = disk.symmetrized(uv.into_vec());
+            let uv = disk.symmetrized_on(boundary, uv.into_vec())?;
             Ok(Chart {
                 cut,
                 opened: disk.opened,

@@ -3,14 +3,14 @@
 //! A convex combination map puts such an edge, and the faces beyond it, on the side itself. Without chords it is one-to-one
 //! (`floater_mean_2003`, and the references there).
 
-use crate::components::split;
+use crate::components::{Component, split};
 use crate::cut::open;
 use crate::map::straight_sides;
 use crate::opened::{Disk, opened_surface};
 use crate::straight::{divide, marked};
-use crate::{ConvexBoundary, CutError, FlattenError};
-use pompeiu_core::{TriMesh, VertexId};
-use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, HalfedgeId, SurfaceError};
+use crate::{ConvexBoundary, CutError, FlattenError, SymmetryError, SymmetryPlane};
+use pompeiu_core::TriMesh;
+use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceError};
 
 /// A surface whose disks have no chords, and its cut.
 pub(crate) struct WithoutChords {
@@ -27,13 +27,14 @@ pub(crate) fn without_chords(
     surface: &EmbeddedSurface,
     cut: &EdgeData<bool>,
     boundary: &ConvexBoundary,
+    plane: Option<&SymmetryPlane>,
 ) -> Result<Option<WithoutChords>, FlattenError> {
     let mut made: Option<WithoutChords> = None;
     loop {
         let (surface, cut) = made.as_ref().map_or((surface, cut), |made| (&made.surface, &made.cut));
         // Dividing can change the first vertex of a boundary loop and, with it, the corners. It ends, because no new edge joins two
         // vertices of the boundary.
-        let chords = chords(surface, cut, boundary)?;
+        let chords = chords(surface, cut, boundary, plane)?;
         if chords.is_empty() {
             return Ok(made);
         }
@@ -42,41 +43,68 @@ pub(crate) fn without_chords(
     }
 }
 
-/// The chords of all disks, as edges of the whole surface.
+/// The chords of all disks, as edges of the whole surface; where a plane of symmetry is given, with their mirror images.
 fn chords(
     surface: &EmbeddedSurface,
     cut: &EdgeData<bool>,
     boundary: &ConvexBoundary,
+    plane: Option<&SymmetryPlane>,
 ) -> Result<Vec<EdgeId>, FlattenError> {
+    let mut found = EdgeData::filled(surface.mesh().edges(), false);
+    for part in parts(surface, cut, plane)? {
+        // As the map sees it: corners depend on the first edge of the boundary loop.
+        let of_part = match plane {
+            Some(_) => part.restricted(surface.mesh(), cut),
+            None => EdgeData::filled(part.surface.mesh().edges(), false),
+        };
+        let disk = Disk::new(&part, &of_part)?;
+        for edge in chords_of(&disk, boundary)? {
+            // Opening keeps faces and their corners.
+            let h = disk.surface.mesh().edge_halfedge(edge);
+            found[surface.mesh().edge(part.halfedge(h))] = true;
+            let Some(images) = &part.images else { continue };
+            let edge = part.surface.mesh().edge(h);
+            let Some(image) = images.of_edge(edge) else {
+                let ends = part.surface.mesh().ends(edge).map(|v| part.vertices[v.index()]);
+                return Err(CutError::from(SymmetryError::Chord { ends }).into());
+            };
+            found[part.edge_in(surface.mesh(), image)] = true;
+        }
+    }
+    Ok(surface.mesh().edge_ids().filter(|&edge| found[edge]).collect())
+}
+
+/// The disks that a cut leaves, as components of their own; with a plane of symmetry the components, each of which is one.
+fn parts(
+    surface: &EmbeddedSurface,
+    cut: &EdgeData<bool>,
+    plane: Option<&SymmetryPlane>,
+) -> Result<Vec<Component>, FlattenError> {
+    if plane.is_some() {
+        return Ok(split(surface, plane)?);
+    }
     let opened = open(surface.mesh(), cut)?;
     opened.check_disks()?;
-    let mut chords = Vec::new();
-    for part in split(&opened_surface(&opened, surface)?, None)? {
-        // As the map sees it: corners depend on the first edge of the boundary loop.
-        let nothing_more = EdgeData::filled(part.surface.mesh().edges(), false);
-        let disk = Disk::new(&part, &nothing_more)?;
-        let mesh = disk.surface.mesh();
-        let Some(&first) = mesh.boundary_loops().first() else { continue };
-        let along: Vec<HalfedgeId> = mesh.boundary_loop(first).collect();
-        let lengths: Vec<f64> =
-            along.iter().map(|&h| disk.surface.surface().edge_length(mesh.edge(h))).collect();
-        let sides = straight_sides(boundary, &lengths)?;
-        let mut place = vec![None; mesh.vertices()];
-        for (i, &h) in along.iter().enumerate() {
-            place[mesh.tail(h).index()] = Some(i);
-        }
-        let on_one_side = |edge: EdgeId| {
-            let [Some(v), Some(w)] = mesh.ends(edge).map(|v| place[v.index()]) else { return false };
-            let is_on = |i: usize, [first, last]: [usize; 2]| {
-                (first..=last).contains(&i) || (i == 0 && last == along.len())
-            };
-            sides.iter().any(|&side| is_on(v, side) && is_on(w, side))
-        };
-        let inner = mesh.edge_ids().filter(|&edge| !mesh.is_boundary_edge(edge) && on_one_side(edge));
-        // Opening keeps faces and their corners.
-        chords.extend(inner.map(|edge| part.edge_in(surface.mesh(), edge)));
+    Ok(split(&opened_surface(&opened, surface)?, None)?)
+}
+
+/// The chords of a disk.
+fn chords_of(disk: &Disk, boundary: &ConvexBoundary) -> Result<Vec<EdgeId>, FlattenError> {
+    let mesh = disk.surface.mesh();
+    let Some(along) = disk.along() else { return Ok(Vec::new()) };
+    let n = along.len();
+    let lengths: Vec<f64> = along.iter().map(|&h| disk.surface.surface().edge_length(mesh.edge(h))).collect();
+    let sides = straight_sides(boundary, &lengths, disk.mirror())?;
+    let mut place = vec![None; mesh.vertices()];
+    for (i, &h) in along.iter().enumerate() {
+        place[mesh.tail(h).index()] = Some(i);
     }
-    Ok(chords)
+    let on_one_side = |edge: EdgeId| {
+        let [Some(v), Some(w)] = mesh.ends(edge).map(|v| place[v.index()]) else { return false };
+        let is_on = |i: usize, [first, last]: [usize; 2]| (i + n - first) % n <= (last + n - first) % n;
+        sides.iter().any(|&side| is_on(v, side) && is_on(w, side))
+    };
+    Ok(mesh.edge_ids().filter(|&edge| !mesh.is_boundary_edge(edge) && on_one_side(edge)).collect())
 }
 
 fn divided(
@@ -102,12 +130,4 @@ fn divided(
     let surface = EmbeddedSurface::new(&mesh).map_err(CutError::from)?;
     let cut = marked(surface.mesh(), &paths).ok_or(astray)?;
     Ok(WithoutChords { mesh, surface, cut, divided: before + chords.len() })
-}
-
-impl WithoutChords {
-    /// The edges of the cut as paths, as [`CutStrategy::Along`](crate::CutStrategy::Along) takes them.
-    pub(crate) fn paths(&self) -> Vec<Vec<VertexId>> {
-        let mesh = self.surface.mesh();
-        mesh.edge_ids().filter(|&edge| self.cut[edge]).map(|edge| mesh.ends(edge).to_vec()).collect()
-    }
 }

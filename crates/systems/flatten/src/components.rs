@@ -20,7 +20,7 @@ pub(crate) struct Component {
 
 impl Component {
     /// The half-edge of the whole surface.
-    fn halfedge(&self, h: HalfedgeId) -> HalfedgeId {
+    pub(crate) fn halfedge(&self, h: HalfedgeId) -> HalfedgeId {
         HalfedgeId::of(self.faces[h.face().index()], h.corner())
     }
 
@@ -34,6 +34,11 @@ impl Component {
         for (edge, _) in cut.entries().filter(|(_, is_cut)| **is_cut) {
             in_whole[self.edge_in(whole, edge)] = true;
         }
+    }
+
+    /// The edges of a cut of the whole surface that lie in this component.
+    pub(crate) fn restricted(&self, whole: &SurfaceMesh, cut: &EdgeData<bool>) -> EdgeData<bool> {
+        EdgeData::from_fn(self.surface.mesh().edges(), |edge| cut[self.edge_in(whole, edge)])
     }
 
     /// The options restricted to this component.
@@ -101,8 +106,9 @@ fn components(surface: &EmbeddedSurface) -> Result<Vec<Component>, GeometryError
 }
 
 fn symmetry_in_whole(error: SymmetryError, component: &Component) -> SymmetryError {
-    use SymmetryError::{Across, NoCut, NoImage};
+    use SymmetryError::{Across, Chord, NoCut, NoImage};
     match error {
+        Chord { ends } => Chord { ends: ends.map(|v| component.vertices[v.index()]) },
         NoImage { vertex, distance, most } => {
             NoImage { vertex: component.vertices[vertex.index()], distance, most }
         }

@@ -1,12 +1,12 @@
 //! From a surface to a flat map and its report.
 
-use crate::atlas::divided;
+use crate::atlas::{divided, with_short_seams};
 use crate::chart::{Chart, flatten_component};
 use crate::check::{flipped_faces, outline, outline_crossings, overlapping_faces};
 use crate::components::{Component, split};
 use crate::cut::{Opened, open, requested_edges};
 use crate::distortion::{Distortion, best_scale, singular_values, symmetric_dirichlet};
-use crate::opened::opened_surface;
+use crate::opened::disks;
 use crate::pack::{bounds, pack, turn};
 use crate::report::{CutReport, FlattenReport, PartReport, Timing};
 use crate::watch::Watch;
@@ -79,34 +79,56 @@ impl Flattening {
 /// # Source
 /// `floater_mean_2003`, `smith_bijective_2015`, `jiang_simplicial_2017`; the changes of weights and the choice of cuts are ours.
 pub fn flatten(surface: &EmbeddedSurface, options: &FlattenOptions<'_>) -> Result<Flattening, FlattenError> {
+    flatten_along(surface, options, None)
+}
+
+/// Flattens a surface; where the cut is given, along that, which is symmetric if a plane of symmetry is given.
+pub(crate) fn flatten_along(
+    surface: &EmbeddedSurface,
+    options: &FlattenOptions<'_>,
+    cut: Option<EdgeData<bool>>,
+) -> Result<Flattening, FlattenError> {
     options.check()?;
     let control = Control::start(&options.limits);
-    on_threads(options.limits.threads, || run(surface, options, &control))
+    on_threads(options.limits.threads, || run(surface, options, &control, cut))
 }
 
 fn run(
     surface: &EmbeddedSurface,
     options: &FlattenOptions<'_>,
     control: &Control,
+    given: Option<EdgeData<bool>>,
 ) -> Result<Flattening, FlattenError> {
     let began = Instant::now();
     let mesh = surface.mesh();
-    let requested = requested_edges(mesh, &options.cut)?;
+    let chosen = requested_edges(mesh, &options.cut)?;
+    let mut requested = given.or(chosen);
+    let plane = options.cut.symmetry.as_ref();
     // A given cut may divide one component into several disks.
     let parts = match &requested {
-        Some(cut) => disks(surface, cut)?,
-        None => split(surface, options.cut.symmetry.as_ref())?,
+        Some(cut) if plane.is_none() => disks(surface, cut)?,
+        _ => split(surface, plane)?,
     };
     let watch = Watch::new(control, options.progress, parts.len());
     let one = |part: &Component| {
-        let nothing_more = || EdgeData::filled(part.surface.mesh().edges(), false);
-        let edges = requested.as_ref().map(|_| nothing_more());
+        let edges = requested.as_ref().map(|cut| match plane {
+            Some(_) => part.restricted(mesh, cut),
+            // It is open along them already.
+            None => EdgeData::filled(part.surface.mesh().edges(), false),
+        });
         let chart = flatten_component(part, edges, options, &watch);
         watch.finish_one();
         chart
     };
-    let charts: Vec<Chart> = parts.par_iter().map(one).collect::<Result<_, _>>()?;
-    let (parts, charts) = divided(parts, charts, options, &watch)?;
+    // Where no short seams are found, parts are divided one after the other.
+    let short = with_short_seams(surface, &parts, options, &watch).ok().flatten();
+    let (parts, charts) = if let Some(found) = short {
+        requested = Some(found.seams);
+        (found.parts, found.charts)
+    } else {
+        let charts: Vec<Chart> = parts.par_iter().map(one).collect::<Result<_, _>>()?;
+        divided(parts, charts, options, &watch)?
+    };
     let mut timing = Timing::default();
     for chart in &charts {
         timing.add(&chart.timing);
@@ -181,17 +203,6 @@ fn mark_seams(mesh: &SurfaceMesh, parts: &[Component], cut: &mut EdgeData<bool>)
 /// The point that a file with texture coordinates in single precision holds: u, and 1 − v, which formats count from above.
 fn single([u, v]: Vec2) -> Vec2 {
     [f64::from(u as f32), 1.0 - f64::from((1.0 - v) as f32)]
-}
-
-/// The disks after a cut, as components of their own.
-fn disks(surface: &EmbeddedSurface, cut: &EdgeData<bool>) -> Result<Vec<Component>, FlattenError> {
-    let opened = open(surface.mesh(), cut)?;
-    opened.check_disks()?;
-    let mut disks = split(&opened_surface(&opened, surface)?, None)?;
-    for v in disks.iter_mut().flat_map(|disk| &mut disk.vertices) {
-        *v = opened.vertex_map()[*v];
-    }
-    Ok(disks)
 }
 
 /// The report of one chart.

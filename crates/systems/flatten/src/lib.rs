@@ -49,6 +49,7 @@ mod options;
 mod pack;
 mod report;
 mod request;
+mod seams;
 #[cfg(feature = "figures")]
 pub mod show;
 mod straight;

@@ -136,10 +136,10 @@ impl FlattenOptions<'_> {
 
     pub(crate) fn check(&self) -> Result<(), FlattenError> {
         use ConvexBoundary::{Polygon, Square};
-        if let Method::Convex { boundary: Square | Polygon(_), .. } = self.method
+        if let Method::Convex { boundary: Square | Polygon(_), around: Some(_), .. } = self.method
             && self.cut.symmetry.is_some()
         {
-            return Err(CutError::from(SymmetryError::Boundary).into());
+            return Err(CutError::from(SymmetryError::Virtual).into());
         }
         if self.charts != Charts::Components
             && let Some(option) = self.keeps_charts_whole()

@@ -157,6 +157,11 @@ impl ConvexSystem {
         let mut columns = Vec::with_capacity(2);
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         for (k, side) in right.iter().enumerate() {
+            // What fixed neighbours contribute may cancel exactly; no tolerance is relative to that.
+            if norm(side) == 0.0 {
+                columns.push(vec![0.0; n]);
+                continue;
+            }
             // Means lie between the fixed positions.
             let farthest = uv.iter().map(|p| p[k].abs()).fold(0.0, |most, x| if x > most { x } else { most });
             let tolerance = RESIDUAL * farthest * norm(&sums) / norm(side);

@@ -13,7 +13,7 @@ mod weights;
 
 pub(crate) use arap::as_rigid_as_possible;
 pub use boundary::ConvexBoundary;
-pub(crate) use boundary::straight_sides;
+pub(crate) use boundary::{Axis, LoopMirror, straight_sides};
 pub use conformal::Conformal;
 pub(crate) use conformal::conformal;
 pub(crate) use newton::{Descender, Descent};

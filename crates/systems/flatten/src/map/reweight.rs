@@ -1,6 +1,6 @@
 //! Convex combination maps that are one-to-one in double precision: weights are changed until no face is nearly degenerate.
 
-use super::boundary::ConvexBoundary;
+use super::boundary::{ConvexBoundary, LoopMirror};
 use super::convex::ConvexSystem;
 use super::ring::{VirtualBoundary, surrounded};
 use super::weights::{Link, Weights, links};
@@ -47,6 +47,8 @@ pub(crate) struct StartOptions<'s> {
     pub(crate) boundary: &'s ConvexBoundary,
     pub(crate) weights: Weights,
     pub(crate) around: Option<&'s VirtualBoundary>,
+    /// For each vertex its mirror image, where the map is to be symmetric.
+    pub(crate) partners: Option<&'s [u32]>,
     /// Whether weights are changed to reduce distortion, too: for the start of a minimisation.
     pub(crate) lessens_distortion: bool,
 }
@@ -57,6 +59,7 @@ impl StartOptions<'_> {
         boundary: &ConvexBoundary::Circle,
         weights: Weights::MeanValue,
         around: None,
+        partners: None,
         lessens_distortion: true,
     };
 }
@@ -106,7 +109,7 @@ pub(crate) fn start_map(
     options: StartOptions<'_>,
     watch: &Watch<'_>,
 ) -> Result<Start, FlattenError> {
-    let StartOptions { boundary, weights, around, lessens_distortion } = options;
+    let StartOptions { boundary, weights, around, partners, lessens_distortion } = options;
     let surrounded = around.map(|ring| surrounded(disk, ring)).transpose()?;
     let (surface, faces) = match &surrounded {
         Some((surface, faces)) => (surface, &faces[..]),
@@ -121,7 +124,9 @@ pub(crate) fn start_map(
         }));
     };
     let along: Vec<_> = mesh.boundary_loop(first).collect();
-    let places = boundary.places(disk, surface, &along)?;
+    let loop_vertices: Vec<VertexId> = along.iter().map(|&h| mesh.tail(h)).collect();
+    let mirror = partners.filter(|_| around.is_none()).and_then(|p| LoopMirror::new(&loop_vertices, p));
+    let places = boundary.places(disk, surface, &along, mirror)?;
     let mut uv = VertexData::filled(mesh.vertices(), [0.0; 2]);
     for (&h, &place) in along.iter().zip(&places) {
         uv[mesh.tail(h)] = place;

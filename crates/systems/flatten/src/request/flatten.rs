@@ -2,6 +2,7 @@
 
 use super::CutRequest;
 use crate::chords::without_chords;
+use crate::flatten::flatten_along;
 use crate::{
     Charts, Conformal, ConvexBoundary, CutOptions, CutStrategy, FlattenError, FlattenOptions, FlattenReport,
     Flattening, Method, RingKind, VirtualBoundary, Weights, choose_cut, flatten, straighten,
@@ -268,7 +269,7 @@ impl FlattenRequest {
         let strategy = chosen.strategy.name();
         let mut cut = chosen.clone();
         let (mut surface, mut inserted, mut divided) = (surface, None, 0);
-        let along = |paths| CutOptions { strategy: CutStrategy::Along(paths), ..CutOptions::default() };
+        let mut along = None;
         if self.cut.straighten {
             // Only a map with a free boundary adds cuts.
             let chosen = match self.straight_boundary() {
@@ -276,26 +277,28 @@ impl FlattenRequest {
                 None => flatten(&surface, &options(chosen))?.cut,
             };
             let straight = straighten(&surface, &chosen)?;
-            cut = along(straight.paths());
+            cut = CutOptions { strategy: CutStrategy::Along(straight.paths()), ..CutOptions::default() };
             (surface, inserted) = (straight.surface, Some(straight.mesh));
         }
         if let Some(boundary) = self.straight_boundary()
-            && let Some(made) = without_chords(&surface, &choose_cut(&surface, &cut)?, boundary)?
+            && let chosen = choose_cut(&surface, &cut)?
+            && let Some(made) = without_chords(&surface, &chosen, boundary, cut.symmetry.as_ref())?
         {
-            cut = along(made.paths());
+            // Vertices and faces that cuts must not enter have been kept out of this one, and have other numbers now.
+            cut = CutOptions { symmetry: cut.symmetry, ..CutOptions::default() };
+            along = Some(made.cut);
             (surface, inserted, divided) = (made.surface, Some(made.mesh), made.divided);
         }
-        let mut flat = flatten(&surface, &options(cut))?;
+        let mut flat = flatten_along(&surface, &options(cut), along)?;
         flat.report.cut.strategy = strategy;
         Ok(FlatSurface { surface, inserted, divided, flat })
     }
 
-    /// The boundary to which the surface itself goes, if that has straight sides. Dividing edges would not keep a symmetry.
+    /// The boundary to which the surface itself goes, if that has straight sides.
     fn straight_boundary(&self) -> Option<&ConvexBoundary> {
         let is_straight =
             |b: &&ConvexBoundary| matches!(b, ConvexBoundary::Square | ConvexBoundary::Polygon(_));
-        let is_direct = self.virtual_layers == 0 && self.cut.symmetry.is_none();
-        self.boundary.0.as_ref().filter(is_straight).filter(|_| is_direct)
+        self.boundary.0.as_ref().filter(is_straight).filter(|_| self.virtual_layers == 0)
     }
 
     /// The kind of map that is asked for.

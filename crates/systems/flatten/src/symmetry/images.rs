@@ -87,7 +87,7 @@ impl Images {
     }
 
     /// The mirror image of an edge, if it is an edge.
-    pub(super) fn of_edge(&self, edge: EdgeId) -> Option<EdgeId> {
+    pub(crate) fn of_edge(&self, edge: EdgeId) -> Option<EdgeId> {
         self.edges[edge]
     }
 

@@ -7,7 +7,7 @@ mod plane;
 
 pub(crate) use cut::{SymmetricCut, first_cut};
 pub(crate) use images::Images;
-pub(crate) use places::{partners, symmetrized};
+pub(crate) use places::{partners, symmetrized, symmetrized_about};
 pub use plane::SymmetryPlane;
 
 use pompeiu_core::{FaceId, VertexId};
@@ -63,7 +63,25 @@ pub enum SymmetryError {
         /// Its name.
         strategy: &'static str,
     },
-    /// The boundary curve does not support planes of symmetry.
-    #[error("a map onto a square or a polygon keeps no plane of symmetry; choose free, circle or own")]
+    /// The boundary curve has no axis of symmetry, or not one that fits the outline.
+    #[error(
+        "a map onto this polygon keeps no plane of symmetry, because it has no axis of symmetry; choose a polygon that has one, square, \
+         circle, own or free"
+    )]
     Boundary,
+    /// Virtual boundaries do not support planes of symmetry where the curve has corners.
+    #[error(
+        "a virtual boundary around a square or a polygon keeps no plane of symmetry; leave out the virtual layers, or choose circle or free"
+    )]
+    Virtual,
+    /// An edge between two vertices of a straight side has no mirror image.
+    #[error(
+        "the edge from vertex {} to vertex {} joins two vertices of one straight side and has no mirror image; flip it, or choose circle, \
+         own or free",
+        ends[0], ends[1]
+    )]
+    Chord {
+        /// Its ends.
+        ends: [VertexId; 2],
+    },
 }

@@ -3,7 +3,7 @@
 use super::Images;
 use crate::cut::Opened;
 use pompeiu_core::VertexId;
-use pompeiu_surface::plane::{Vec2, sub};
+use pompeiu_surface::plane::{Vec2, dot, sub};
 use std::cmp::Ordering;
 
 /// For each vertex of a disk, its mirror image; `None` if the cut is not symmetric.
@@ -58,4 +58,18 @@ pub(crate) fn symmetrized(uv: &[Vec2], partners: &[u32]) -> Vec<Vec2> {
             [0.5 * (p[0] - q[0]), 0.5 * (p[1] + q[1])]
         })
         .collect()
+}
+
+/// The mean of a map and its mirror image about an axis, given by a point and its unit direction.
+pub(crate) fn symmetrized_about(uv: &[Vec2], partners: &[u32], [point, direction]: [Vec2; 2]) -> Vec<Vec2> {
+    let normal = [-direction[1], direction[0]];
+    let mean = |(v, p): (usize, &Vec2)| {
+        let q = uv[partners[v] as usize];
+        let height = |p: Vec2| dot(sub(p, point), normal);
+        // Both differ along the normal only by the sign.
+        let (across, middle) = (0.5 * (height(*p) - height(q)), [0, 1].map(|k| 0.5 * (p[k] + q[k])));
+        let off = height(middle);
+        [0, 1].map(|k| middle[k] - off * normal[k] + across * normal[k])
+    };
+    uv.iter().enumerate().map(mean).collect()
 }

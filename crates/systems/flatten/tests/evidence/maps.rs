@@ -216,8 +216,15 @@ fn any_disk_is_mapped_onto_a_square_or_a_polygon() {
         let positions = (0..30).map(|i| [libm::cos(angle(i)), libm::sin(angle(i)), 0.0]).collect();
         TriMesh::new(positions, (1..29).map(|i| [0, i, i + 1]).collect())
     };
+    // One vertex inside.
+    let wheel = {
+        let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / 9.0;
+        let around = (0..9).map(|i| [libm::cos(angle(i)), libm::sin(angle(i)), 0.0]);
+        let positions = [[0.0, 0.0, 0.3]].into_iter().chain(around).collect();
+        TriMesh::new(positions, (0..9).map(|i| [0, 1 + i, 1 + (i + 1) % 9]).collect()).unwrap()
+    };
     let sheet = shapes::grid([3.0, 1.0], [9, 4], Diagonal::Falling).unwrap();
-    let mut all = vec![strip.unwrap(), fan.unwrap(), sheet, shapes::cube(1.0, 2).unwrap()];
+    let mut all = vec![strip.unwrap(), fan.unwrap(), wheel, sheet, shapes::cube(1.0, 2).unwrap()];
     all.extend(["camelhead.off", "mountain.obj"].iter().filter_map(|name| real_mesh(name)));
     let mut divided = 0;
     for mesh in &all {
@@ -243,6 +250,19 @@ fn any_disk_is_mapped_onto_a_square_or_a_polygon() {
         }
     }
     assert!(divided > 0);
+}
+
+/// The right-hand side of a coordinate may vanish: five neighbours of one vertex, whose weighted mean is zero.
+#[test]
+fn neighbours_may_cancel() {
+    let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / 5.0;
+    let around = (0..5).map(|i| [libm::cos(angle(i)), libm::sin(angle(i)), 0.0]);
+    let positions = [[0.0, 0.0, 0.3]].into_iter().chain(around).collect();
+    let wheel = TriMesh::new(positions, (0..5).map(|i| [0, 1 + i, 1 + (i + 1) % 5]).collect()).unwrap();
+    for weights in [Weights::Uniform, Weights::MeanValue, Weights::Cotangent] {
+        let flat = flatten(&surface(&wheel), &convex(ConvexBoundary::Square, weights)).unwrap();
+        assert!(flat.report.is_one_to_one(), "{weights:?}");
+    }
 }
 
 #[test]
