@@ -5,7 +5,7 @@ use crate::called::called;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::exit::stopped_by;
 use crate::files;
-use crate::numbers::{grouped, time};
+use crate::numbers::{counted, grouped, time};
 use crate::page::Page;
 use anyhow::{Context, bail};
 use clap::Args;
@@ -97,13 +97,10 @@ impl System for Files {
         let report = &answer.report;
         let number = |n: usize| grouped(n as u64);
         let mut page = Page::new();
-        let (balls, shrunk) = (number(report.balls.len()), number(report.shrunk));
+        let (balls, shrunk) = (counted(report.balls.len(), "ball"), number(report.shrunk));
         page.row(
             "result",
-            &format!(
-                "{balls} balls in the place of {shrunk}, joined by {} edges",
-                number(report.edges.len())
-            ),
+            &format!("{balls} in the place of {shrunk}, joined by {}", counted(report.edges.len(), "edge")),
         );
         if report.stop.is_early() {
             page.row("", &format!("stopped early by {}", stopped_by(report.stop)));
@@ -111,7 +108,7 @@ impl System for Files {
         let [lower, upper] = report.deviation.surface_to_balls;
         page.row("distance", &format!("from the surface to the balls between {lower:.6} and {upper:.6}"));
         page.row("", &format!("out of the surface at most {:.6}", report.deviation.balls_to_surface));
-        page.row("overlaps", &format!("{} pairs of balls", number(report.overlaps.len())));
+        page.row("overlaps", &format!("{} of balls", counted(report.overlaps.len(), "pair")));
         page.row("time", &time(answer.timing.total));
         page.into_text()
     }

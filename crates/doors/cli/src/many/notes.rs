@@ -2,6 +2,7 @@
 
 use super::journal::{Fingerprint, Journal, fingerprint};
 use super::meshes::MeshFiles;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use crate::wait::Wait;
 use rayon::prelude::*;
@@ -52,7 +53,8 @@ impl Notes {
     pub(crate) fn tell(&self, printer: &Printer) {
         if self.journal.len() > 0 {
             let taken = self.taken.load(Ordering::Relaxed);
-            printer.note(format_args!("{taken} results were taken from the journal"));
+            let were = if taken == 1 { "was" } else { "were" };
+            printer.note(format_args!("{} {were} taken from the journal", counted(taken as usize, "result")));
         }
         if let Some(error) = self.problem.get() {
             printer.warning(format_args!("{error:#}; this run cannot be resumed"));

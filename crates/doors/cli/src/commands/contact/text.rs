@@ -66,9 +66,9 @@ fn measured(report: &ContactReport, page: &mut Page) {
     page.row(
         "work",
         &format!(
-            "{} Newton steps, {} pairs in collision detection, at most {} in contact",
-            grouped(report.iterations() as u64),
-            grouped(moving as u64),
+            "{}, {} in collision detection, at most {} in contact",
+            counted(report.iterations(), "Newton step"),
+            counted(moving, "pair"),
             grouped(most as u64)
         ),
     );

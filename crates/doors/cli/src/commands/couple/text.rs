@@ -2,7 +2,7 @@
 
 use super::Files;
 use crate::door::AnswerOf;
-use crate::numbers::{few, grouped, time};
+use crate::numbers::{counted, few, grouped, time};
 use crate::page::Page;
 use pompeiu::coupling::CoupleReport;
 use pompeiu::coupling::scenario::RunReport;
@@ -18,9 +18,9 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     let run = &report.runs[0];
     let done = run.windows.len();
     let verdict = if done == windows {
-        format!("AGREED in all {} windows", grouped(windows as u64))
+        format!("AGREED in all {}", counted(windows, "window"))
     } else {
-        format!("AGREED in {} of {} windows", grouped(done as u64), grouped(windows as u64))
+        format!("AGREED in {} of {}", grouped(done as u64), counted(windows, "window"))
     };
     let mut text = verdict + "\n\n";
     page.row("scene", &report.kind);
@@ -31,7 +31,7 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     }
     let damped = run.windows.iter().filter(|window| window.damping < 1.0).count();
     if damped > 0 {
-        page.row("damped", &format!("{damped} windows, where the model alone failed"));
+        page.row("damped", &format!("{}, where the model alone failed", counted(damped, "window")));
     }
     if let Some(added_mass) = run.added_mass {
         page.row("stability", &added_mass.to_string());

@@ -2,7 +2,7 @@
 
 use crate::files;
 use crate::interrupt::while_writing;
-use crate::numbers::grouped;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use anyhow::bail;
 use pompeiu::core::TriMesh;
@@ -46,8 +46,8 @@ pub(super) fn write(
         .with_face_vector("rotated", in_space(&parts.rotated))?
         .with_face_vector("harmonic", in_space(&parts.harmonic))?;
     while_writing(|| write_with(path, mesh, &attributes))?;
-    let faces = grouped(mesh.faces().len() as u64);
-    printer.note(format_args!("{}: four fields and two potentials on {faces} faces", path.display()));
+    let faces = counted(mesh.faces().len(), "face");
+    printer.note(format_args!("{}: four fields and two potentials on {faces}", path.display()));
     Ok(())
 }
 

@@ -79,7 +79,7 @@ fn directed(
     if let Some(sides) = &directed.sides {
         let inside = grouped(sides.vertices_inside() as u64);
         let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
-        page.row("  inside", &format!("{inside} of {} vertices", grouped(all as u64)));
+        page.row("  inside", &format!("{inside} of {}", counted(all, "vertex")));
     }
     regions(page, "  regions", &directed.regions);
     if let Some(threshold) = report.threshold {

@@ -2,7 +2,7 @@
 
 use crate::files;
 use crate::interrupt::while_writing;
-use crate::numbers::grouped;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use anyhow::bail;
 use pompeiu::core::TriMesh;
@@ -50,8 +50,8 @@ pub(super) fn write(
         }
     }
     while_writing(|| write_with(path, mesh, &attributes))?;
-    let faces = grouped(mesh.faces().len() as u64);
+    let faces = counted(mesh.faces().len(), "face");
     let from = scale.range().0;
-    printer.note(format_args!("{}: {faces} faces, coloured from {from:.4} to {extent:.4}", path.display()));
+    printer.note(format_args!("{}: {faces}, coloured from {from:.4} to {extent:.4}", path.display()));
     Ok(())
 }

@@ -5,7 +5,7 @@ use super::{Files, directions, percent, percentage};
 use crate::aligned;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{few, grouped, point, rounded};
+use crate::numbers::{counted, few, grouped, point, rounded};
 use crate::page::{Page, brief, compared};
 use pompeiu::hausdorff::DeviationReport;
 use pompeiu::hausdorff::deviation::{DirectedBands, DirectedDeviation, Region, SignedStatistics, Statistics};
@@ -105,7 +105,7 @@ fn both(page: &mut Page, [a, b]: [&str; 2], report: &DeviationReport) {
 fn inside(directed: &DirectedDeviation) -> Option<String> {
     let inside = grouped(directed.sides.as_ref()?.vertices_inside() as u64);
     let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
-    Some(format!("{inside} of {} vertices", grouped(all as u64)))
+    Some(format!("{inside} of {}", counted(all, "vertex")))
 }
 
 /// The worst places of both directions, each once.

@@ -8,6 +8,7 @@ use crate::args::{ForbidFile, Picture};
 use crate::called::called;
 use crate::door::{AnswerOf, Invocation, Session, System};
 use crate::files;
+use crate::numbers::counted;
 use anyhow::{Context, bail};
 use clap::Args;
 use output::{Kind, kind, write_textured};
@@ -84,9 +85,11 @@ impl System for Files {
         session.stop_waiting();
         let (flat, printer) = (&found.flat, session.printer);
         if found.divided > 0 {
+            let edges = counted(found.divided, "edge");
+            let (are, midpoints) =
+                if found.divided == 1 { ("is", "its midpoint") } else { ("are", "their midpoints") };
             printer.note(format_args!(
-                "{} edges are divided at their midpoints, because both ends are on one side of the boundary",
-                found.divided
+                "{edges} {are} divided at {midpoints}, because both ends are on one side of the boundary"
             ));
         }
         let page = FlattenPage {

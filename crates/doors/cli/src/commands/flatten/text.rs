@@ -3,7 +3,7 @@
 use super::Files;
 use crate::door::AnswerOf;
 use crate::exit::stopped_by;
-use crate::numbers::{grouped, shortest, time};
+use crate::numbers::{counted, grouped, shortest, time};
 use crate::page::Page;
 use pompeiu::core::run::StopReason;
 use pompeiu::flatten::{Charts, FlattenOptions, PartReport};
@@ -17,10 +17,10 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     page.row(
         "result",
         &format!(
-            "one-to-one: {verdict}, {} flipped, {} overlapping of {} faces",
+            "one-to-one: {verdict}, {} flipped, {} overlapping of {}",
             number(report.flipped),
             number(report.overlapping),
-            number(report.parts.iter().map(|part| part.faces).sum())
+            counted(report.parts.iter().map(|part| part.faces).sum(), "face")
         ),
     );
     if report.stop == StopReason::Steps {
@@ -42,8 +42,8 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
     page.row(
         "cut",
         &format!(
-            "{} edges of length {}, {:.2} of the square root of the area ({})",
-            number(cut.edges),
+            "{} of length {}, {:.2} of the square root of the area ({})",
+            counted(cut.edges, "edge"),
             shortest(cut.length),
             cut.relative_length,
             cut.strategy
@@ -55,9 +55,9 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
         page.row(
             "worst",
             &format!(
-                "the chart of face {}: {} faces, cut of length {}, symmetric Dirichlet energy {:.4}",
+                "the chart of face {}: {}, cut of length {}, symmetric Dirichlet energy {:.4}",
                 worst.first_face,
-                number(worst.faces),
+                counted(worst.faces, "face"),
                 shortest(worst.cut_length),
                 mean(worst)
             ),

@@ -49,7 +49,8 @@ pub(super) fn text(answer: &Answer<FluidRequest, FluidReport>) -> String {
     );
     let guarded = outcome.steps.iter().filter(|step| step.energy_guarded).count();
     if guarded > 0 {
-        page.row("", &format!("viscosity would have added energy in {guarded} steps: velocity scaled down"));
+        let steps = counted(guarded, "step");
+        page.row("", &format!("viscosity would have added energy in {steps}: velocity scaled down"));
     }
     let milliseconds = |ms: f64| time(Duration::from_secs_f64(ms.max(0.0) / 1e3));
     let (timing, steps) = (&outcome.timing, count.max(1) as f64);

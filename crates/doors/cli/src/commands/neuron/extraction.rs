@@ -2,7 +2,7 @@
 
 use crate::files;
 use crate::interrupt::while_writing;
-use crate::numbers::grouped;
+use crate::numbers::counted;
 use crate::printer::Printer;
 use anyhow::{Context, bail};
 use pompeiu::io::write_stream;
@@ -139,10 +139,11 @@ pub(super) fn write_partition(
     files::write_whole(&place, epart(&of).as_bytes(), printer)?;
     let quality = partition_quality(&mesh.faces, &of);
     printer.note(format_args!(
-        "{}: {parts} parts, the largest {:.3} times the mean, {} faces between them",
+        "{}: {}, the largest {:.3} times the mean, {} between them",
         place.display(),
+        counted(parts, "part"),
         quality.imbalance,
-        grouped(quality.cut as u64)
+        counted(quality.cut, "face")
     ));
     Ok(())
 }

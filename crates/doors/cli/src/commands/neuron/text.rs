@@ -111,8 +111,7 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         // Only those of the file are known then.
         0 if report.is_check && report.meshable.is_none() => "the file has no defects".to_owned(),
         0 => "no problems".to_owned(),
-        1 => "1 problem".to_owned(),
-        n => format!("{} problems", number(n)),
+        n => counted(n, "problem"),
     });
     let of_check = report.is_check.then(|| match report.meshable {
         Some(true) => "it can be meshed".to_owned(),
@@ -141,7 +140,7 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
     if let Some(mesh) = &report.mesh {
         page.row(
             "mesh",
-            &format!("{} vertices, {} hexahedra", number(mesh.vertices), number(mesh.hexahedra)),
+            &format!("{}, {}", counted(mesh.vertices, "vertex"), counted(mesh.hexahedra, "hexahedron")),
         );
         page.row(
             "quality",
@@ -162,7 +161,8 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         let off = spline.partition_of_unity_error;
         page.row("splines", &format!("{} functions, whose sum is 1 to {off:.1e}", number(spline.functions)));
         for (i, level) in spline.levels.iter().enumerate() {
-            let line = format!("{} elements, {} functions", number(level.elements), number(level.functions));
+            let line =
+                format!("{}, {}", counted(level.elements, "element"), counted(level.functions, "function"));
             page.row(if i == 0 { "levels" } else { "" }, &line);
         }
     }
@@ -173,7 +173,7 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
             "flow",
             &format!("Reynolds number {}, pressure drop {} Pa", few(flow.reynolds), few(flow.pressure_drop)),
         );
-        page.row("Newton", &format!("{steps} steps to {last:.1e} of the first residual"));
+        page.row("Newton", &format!("{} to {last:.1e} of the first residual", counted(steps, "step")));
         page.row(
             "fluxes",
             &format!(
@@ -186,8 +186,8 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         page.row(
             "transport",
             &format!(
-                "{} steps, concentrations between {} and {}",
-                number(transport.steps),
+                "{}, concentrations between {} and {}",
+                counted(transport.steps, "step"),
                 few(transport.minimum),
                 few(transport.maximum)
             ),

@@ -1,7 +1,7 @@
 //! The ranking for people.
 
 use crate::exit::stopped_by;
-use crate::numbers::{grouped, shortest, time};
+use crate::numbers::{counted, grouped, shortest, time};
 use crate::page::{Page, described, value};
 use crate::printer::LABEL;
 use pompeiu::core::request::Answer;
@@ -113,6 +113,6 @@ fn work(work: &Work) -> String {
     for (tolerance, count) in work.searches.iter().filter(|(_, count)| *count > 0) {
         parts.push(format!("{} searched to {}", grouped(*count as u64), shortest(tolerance.value())));
     }
-    parts.push(format!("{} distances", grouped(work.distances)));
+    parts.push(counted(work.distances as usize, "distance"));
     parts.join(", ")
 }

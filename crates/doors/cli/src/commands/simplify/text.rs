@@ -2,7 +2,7 @@
 
 use super::{Files, place};
 use crate::door::AnswerOf;
-use crate::numbers::{grouped, pairs_that_intersect, shortest, time};
+use crate::numbers::{counted, grouped, pairs_that_intersect, shortest, time};
 use crate::page::{brief, proven};
 use crate::printer::LABEL;
 use pompeiu::remesh::{Kept, Refusals};
@@ -19,8 +19,8 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
     let level = &found.level;
     let before = answer.inputs.first().map_or(0, |input| input.faces);
     let share = 100.0 * level.faces as f64 / before as f64;
-    let faces = |n: usize| grouped(n as u64);
-    row("faces", format!("{} of {}, {share:.3} %", faces(level.faces), faces(before)));
+    let faces = |n: usize| counted(n, "face");
+    row("faces", format!("{} of {}, {share:.3} %", grouped(level.faces as u64), grouped(before as u64)));
     let report = &level.distance;
     let bound = match level.within {
         Some(within) => format!(", proven to be at most {}", shortest(within)),
@@ -40,10 +40,12 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
         let path = place(output, i + 1);
         let distance = brief(level.distance.distance);
         let label = if i == 0 { "finer" } else { "" };
-        row(label, format!("{} faces, H(A, B) {distance}: {}", faces(level.faces), path.display()));
+        row(label, format!("{}, H(A, B) {distance}: {}", faces(level.faces), path.display()));
     }
     if let (Some(refusals), Some(asked)) = (&level.refusals, answer.request.faces) {
-        row("refused", format!("{} faces are not reached: {}", faces(asked.of(before)), why(refusals)));
+        let asked = asked.of(before);
+        let are = if asked == 1 { "is" } else { "are" };
+        row("refused", format!("{} {are} not reached: {}", faces(asked), why(refusals)));
     } else if found.stop.is_early() {
         row("stopped", format!("early ({}): fewer faces may do", found.stop.name()));
     }
@@ -58,7 +60,7 @@ pub(super) fn text(output: &Path, certificate: Option<&Path>, answer: &AnswerOf<
 
 /// Why no further edge is collapsed.
 fn why(found: &Refusals) -> String {
-    let least = grouped(found.least_faces as u64);
+    let least = counted(found.least_faces, "face");
     let of_each = [
         (found.topology, "would change the topology"),
         (found.features, "would change a curve that is kept"),
@@ -70,8 +72,8 @@ fn why(found: &Refusals) -> String {
         .filter(|(edges, _)| *edges > 0)
         .map(|(edges, what)| format!("{} {what}", grouped(edges as u64)))
         .collect();
-    let edges = grouped(found.edges as u64);
-    format!("of {edges} edges {}; this topology needs at least {least} faces", reasons.join(", "))
+    let edges = counted(found.edges, "edge");
+    format!("of {edges} {}; this topology needs at least {least}", reasons.join(", "))
 }
 
 /// What is kept of the look of the input; none if there was nothing.
@@ -82,8 +84,7 @@ fn kept(kept: &Kept) -> Option<String> {
     }
     match kept.materials {
         0 => {}
-        1 => parts.push("1 material".into()),
-        n => parts.push(format!("{n} materials")),
+        n => parts.push(counted(n, "material")),
     }
     if kept.colors {
         parts.push("colours".into());
