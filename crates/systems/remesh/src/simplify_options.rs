@@ -75,6 +75,9 @@ impl SimplifyOptions<'_> {
         if levels == 0 {
             return Err(SimplifyError::NoLevels);
         }
+        if diagonal == 0.0 {
+            return Err(SimplifyError::OnePosition);
+        }
         let halved = |times: usize| match self.target {
             SimplifyTarget::Within(d) => SimplifyTarget::Within(d * (-(times as f64)).exp2()),
             SimplifyTarget::Faces(n) => {
@@ -183,6 +186,9 @@ pub enum SimplifyError {
         "the effort is for a number of faces; within a distance every collapse is tested, so leave it out"
     )]
     EffortWithin,
+    /// The mesh has no size.
+    #[error("all vertices of faces are at one position, so there is no surface to simplify")]
+    OnePosition,
     /// No face was asked for.
     #[error("the number of faces is 0; at least 1 is needed")]
     NoFaces,

@@ -104,6 +104,10 @@ fn what_cannot_be_asked_for() {
     let selected = Features { vertices: &[VertexId(3)], ..Features::default() };
     assert_eq!(with(selected, true), SimplifyError::Features(FeatureError::Repaired));
     assert_eq!(error(SimplifyTarget::Faces(0)), SimplifyError::NoFaces);
+    let point = TriMesh::new(vec![[1.0; 3]; 3], vec![[0, 1, 2]]).unwrap();
+    for target in [SimplifyTarget::Within(0.1), SimplifyTarget::Faces(1)] {
+        assert_eq!(simplify(&point, target).unwrap_err(), SimplifyError::OnePosition);
+    }
 }
 
 #[test]
