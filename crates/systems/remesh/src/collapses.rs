@@ -52,10 +52,10 @@ pub(super) struct Collapses<'i> {
     changed: Vec<u32>,
     batch: u32,
     queue: Queue,
-    input: Input<'i>,
     places: Places,
     limit: f64,
-    cover: Option<Cover>,
+    /// Which faces of the input each face covers, and the input; none where no distance was asked for.
+    cover: Option<(Cover, Input<'i>)>,
     /// Where faces are, if those must not intersect that do not now.
     crossings: Option<Crossings>,
     /// The faces that this batch changed.
@@ -86,20 +86,20 @@ pub(super) struct Snapshot {
 
 impl<'i> Collapses<'i> {
     /// Collapses edges of a surface in order of their quadric error alone.
-    pub(super) fn by_error(surface: Marked, bvh: &'i Bvh, places: Places) -> Self {
+    pub(super) fn by_error(surface: Marked, places: Places) -> Self {
         let quadrics = vertex_quadrics(&surface, PlaneWeight::One);
-        Self::on(Snapshot { surface, quadrics, count: 0 }, None, bvh, places)
+        Self::on(Snapshot { surface, quadrics, count: 0 }, None, places)
     }
 
     /// Collapses edges of the input while it stays within a distance of itself.
     pub(super) fn within(surface: Marked, bvh: &'i Bvh, places: Places) -> Self {
         let cover = Cover::new(&surface.mesh, bvh);
         let quadrics = vertex_quadrics(&surface, PlaneWeight::Area);
-        Self::on(Snapshot { surface, quadrics, count: 0 }, Some(cover), bvh, places)
+        Self::on(Snapshot { surface, quadrics, count: 0 }, Some((cover, bvh)), places)
     }
 
-    /// Goes on from a surface that covers the input.
-    pub(super) fn on(from: Snapshot, cover: Option<Cover>, bvh: &'i Bvh, places: Places) -> Self {
+    /// Goes on from a surface, which covers the input where a distance is asked for.
+    pub(super) fn on(from: Snapshot, cover: Option<(Cover, &'i Bvh)>, places: Places) -> Self {
         let Snapshot { surface, quadrics, count } = from;
         let mesh = &surface.mesh;
         Self {
@@ -109,10 +109,9 @@ impl<'i> Collapses<'i> {
             changed: vec![0; mesh.origin.len() / 3],
             batch: 0,
             queue: Queue::new(),
-            input: Input { bvh, limit_sq: f64::INFINITY },
             places,
             limit: f64::INFINITY,
-            cover,
+            cover: cover.map(|(cover, bvh)| (cover, Input { bvh, limit_sq: f64::INFINITY })),
             crossings: None,
             moved: Vec::new(),
             least_faces: 1,
@@ -141,17 +140,22 @@ impl<'i> Collapses<'i> {
 
     /// From now on the surface stays within this distance, which is not less than before.
     pub(super) fn come_within(&mut self, limit: f64) {
-        self.limit = limit;
-        self.input.limit_sq = limit * limit;
+        self.set_limit(limit);
         self.failed.fill(None);
     }
 
     /// As [`Collapses::come_within`], for one of many distances that hardly grow: edges are gone through once, and those that were seen to
     /// need a greater distance are passed over.
     pub(super) fn grow_to(&mut self, limit: f64) {
-        self.limit = limit;
-        self.input.limit_sq = limit * limit;
+        self.set_limit(limit);
         self.most_passes = 1;
+    }
+
+    fn set_limit(&mut self, limit: f64) {
+        self.limit = limit;
+        if let Some((_, input)) = &mut self.cover {
+            input.limit_sq = limit * limit;
+        }
     }
 
     /// From now on there may be as few faces as this.
@@ -243,10 +247,9 @@ impl<'i> Collapses<'i> {
         let trial = Trial {
             surface: &self.surface,
             quadrics: &self.quadrics,
-            input: &self.input,
             places: &self.places,
             limit: self.limit,
-            cover: self.cover.as_ref(),
+            cover: self.cover.as_ref().map(|(cover, input)| (cover, input)),
             crossings: self.crossings.as_ref(),
         };
         let thread = rayon::current_thread_index().map_or(0, |i| i + 1) % self.scratch.len();
@@ -296,7 +299,7 @@ impl<'i> Collapses<'i> {
         let h = accepted.collapse.halfedge;
         let u = self.surface.mesh.from(h) as usize;
         let Some(v) = self.surface.collapse(&accepted.collapse) else { return };
-        if let (Some(cover), Some(covering)) = (&mut self.cover, &accepted.covering) {
+        if let (Some((cover, _)), Some(covering)) = (&mut self.cover, &accepted.covering) {
             cover.replace(&accepted.gone, covering);
         }
         for &f in &accepted.gone {

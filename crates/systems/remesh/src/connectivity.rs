@@ -90,7 +90,7 @@ impl DynamicMesh {
         }
         let mut mesh = Self {
             positions: positions.iter().copied().map(DVec3::from_array).collect(),
-            twin: twins(&origin)?,
+            twin: twins(&origin, positions.len())?,
             outgoing: vec![NONE; positions.len()],
             faces: faces.len(),
             origin,
@@ -354,29 +354,47 @@ impl DynamicMesh {
     }
 }
 
-/// The twin of each halfedge.
-fn twins(origin: &[u32]) -> Result<Vec<u32>, ConnectivityError> {
+/// The twin of each halfedge, of so many vertices.
+fn twins(origin: &[u32], vertices: usize) -> Result<Vec<u32>, ConnectivityError> {
     let end = |h: u32| origin[next(h) as usize];
-    let mut order: Vec<(u32, u32, u32)> = (0..origin.len() as u32)
-        .map(|h| {
-            let (v, w) = (origin[h as usize], end(h));
-            (v.min(w), v.max(w), h)
-        })
-        .collect();
-    order.sort_unstable();
+    let lesser = |h: u32| origin[h as usize].min(end(h)) as usize;
+    let all = 0..origin.len() as u32;
+    // Halfedges by the lesser end of their edge, each with the greater one.
+    let mut starts = vec![0_u32; vertices + 1];
+    all.clone().for_each(|h| starts[lesser(h) + 1] += 1);
+    for v in 0..vertices {
+        starts[v + 1] += starts[v];
+    }
+    let mut filled = starts.clone();
+    let mut order = vec![(0_u32, 0_u32); origin.len()];
+    for h in all {
+        let place = &mut filled[lesser(h)];
+        order[*place as usize] = (origin[h as usize].max(end(h)), h);
+        *place += 1;
+    }
     let mut twin = vec![NONE; origin.len()];
-    for edge in order.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
-        for (i, &(.., h)) in edge.iter().enumerate() {
-            let same = edge[..i].iter().find(|(.., g)| origin[*g as usize] == origin[h as usize]);
-            if let Some(&(.., g)) = same {
-                let (from, to) = (origin[h as usize], end(h));
-                return Err(ConnectivityError::SharedHalfedge { faces: [g / 3, h / 3], from, to });
-            }
-        }
-        if let [(.., h), (.., t)] = *edge {
-            twin[h as usize] = t;
-            twin[t as usize] = h;
+    for v in 0..vertices {
+        let own = &mut order[starts[v] as usize..starts[v + 1] as usize];
+        own.sort_unstable();
+        for edge in own.chunk_by(|x, y| x.0 == y.0) {
+            match_halfedges(edge, origin, &mut twin)?;
         }
     }
     Ok(twin)
+}
+
+/// Makes the halfedges of one edge twins, if there are two that run opposite ways.
+fn match_halfedges(edge: &[(u32, u32)], origin: &[u32], twin: &mut [u32]) -> Result<(), ConnectivityError> {
+    let from = |h: u32| origin[h as usize];
+    for (i, &(_, h)) in edge.iter().enumerate() {
+        if let Some(&(_, g)) = edge[..i].iter().find(|(_, g)| from(*g) == from(h)) {
+            let to = from(next(h));
+            return Err(ConnectivityError::SharedHalfedge { faces: [g / 3, h / 3], from: from(h), to });
+        }
+    }
+    if let [(_, h), (_, t)] = *edge {
+        twin[h as usize] = t;
+        twin[t as usize] = h;
+    }
+    Ok(())
 }

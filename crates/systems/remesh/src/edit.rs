@@ -19,6 +19,36 @@ pub enum Illegal {
     TooFewFaces,
 }
 
+/// Vertices around one: few of them, in a place of their own.
+#[derive(Default)]
+struct Few {
+    own: [u32; 16],
+    count: usize,
+    more: Vec<u32>,
+}
+
+impl Few {
+    fn contains(&self, v: u32) -> bool {
+        self.own[..self.count].contains(&v) || self.more.contains(&v)
+    }
+}
+
+impl FromIterator<u32> for Few {
+    fn from_iter<I: IntoIterator<Item = u32>>(vertices: I) -> Self {
+        let mut few = Self::default();
+        for v in vertices {
+            match few.own.get_mut(few.count) {
+                Some(place) => {
+                    *place = v;
+                    few.count += 1;
+                }
+                None => few.more.push(v),
+            }
+        }
+        few
+    }
+}
+
 impl DynamicMesh {
     /// The halfedges of all faces, in order.
     pub fn halfedges(&self) -> impl Iterator<Item = HalfedgeId> + '_ {
@@ -180,13 +210,13 @@ impl DynamicMesh {
             return Err(Illegal::JoinsBoundary);
         }
         let apexes = [Some(h), t].map(|x| x.map(|x| self.from(previous(x))));
-        let around: Vec<u32> = self.neighbours(v).collect();
-        if self.neighbours(u).any(|x| !apexes.contains(&Some(x)) && x != v && around.contains(&x)) {
+        let around: Few = self.neighbours(v).collect();
+        if self.neighbours(u).any(|x| !apexes.contains(&Some(x)) && x != v && around.contains(x)) {
             return Err(Illegal::Link);
         }
         for apex in apexes.into_iter().flatten() {
             let least = if self.is_boundary(apex) { 2 } else { 3 };
-            if self.neighbours(apex).count() <= least {
+            if self.neighbours(apex).take(least + 1).count() <= least {
                 return Err(Illegal::TooFewFaces);
             }
         }
@@ -196,10 +226,21 @@ impl DynamicMesh {
     /// See [`DynamicMesh::collapse_edge`].
     pub(crate) fn collapse(&mut self, h: u32, position: DVec3) -> Result<(), Illegal> {
         self.check_collapse(h)?;
+        self.collapse_checked(h, position);
+        Ok(())
+    }
+
+    /// Collapses a halfedge that passed [`DynamicMesh::check_collapse`].
+    pub(crate) fn collapse_checked(&mut self, h: u32, position: DVec3) {
         let (u, v, t) = (self.from(h), self.to(h), self.twin[h as usize]);
-        let around: Vec<u32> = self.halfedges_from(u).collect();
-        for x in around {
+        let first = self.outgoing[u as usize];
+        let mut x = first;
+        loop {
             self.origin[x as usize] = v;
+            x = self.twin[previous(x) as usize];
+            if x == NONE || x == first {
+                break;
+            }
         }
         self.positions[v as usize] = position;
         self.outgoing[u as usize] = NONE;
@@ -228,6 +269,5 @@ impl DynamicMesh {
             at_v = from_v;
         }
         self.choose_outgoing(at_v);
-        Ok(())
     }
 }

@@ -177,19 +177,24 @@ impl Marked {
 
     /// Does what [`Marked::collapse_of`] found; returns the vertex that stays.
     pub(super) fn collapse(&mut self, collapse: &Collapse) -> Option<u32> {
+        self.mesh.check_collapse(collapse.halfedge).ok()?;
+        Some(self.collapse_checked(collapse))
+    }
+
+    /// Does what [`Marked::collapse_of`] found on the surface as it is; returns the vertex that stays.
+    pub(super) fn collapse_checked(&mut self, collapse: &Collapse) -> u32 {
         let h = collapse.halfedge;
         let [u, v] = [self.mesh.from(h), self.mesh.to(h)];
-        let sides = [Some(h), self.mesh.twin_of(h)].into_iter().flatten();
         // Of the two edges that become one, the curve, and the halfedges that stay.
-        let merged: Vec<(u32, [u32; 2])> = sides
-            .map(|x| {
+        let merged = [Some(h), self.mesh.twin_of(h)].map(|side| {
+            side.map(|x| {
                 let [a, b] = [next(x), previous(x)];
                 let curve = [a, b].map(|y| self.curve[y as usize]).into_iter().find(|c| *c != NONE);
                 (curve.unwrap_or(NONE), [a, b].map(|y| self.mesh.twin[y as usize]))
             })
-            .collect();
-        self.mesh.collapse(h, collapse.position).ok()?;
-        for (curve, stay) in merged {
+        });
+        self.mesh.collapse_checked(h, collapse.position);
+        for (curve, stay) in merged.into_iter().flatten() {
             for y in stay.into_iter().filter(|y| *y != NONE) {
                 self.curve[y as usize] = curve;
             }
@@ -200,7 +205,7 @@ impl Marked {
             self.hold[v as usize] = other;
         }
         self.length[v as usize] = 0.5 * (self.length[u as usize] + self.length[v as usize]);
-        Some(v)
+        v
     }
 
     /// Checks that curves are marked on both sides of their edges and run through the vertices that they hold; for tests.

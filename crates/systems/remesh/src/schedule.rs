@@ -7,6 +7,7 @@ use super::simplify_options::{Simplified, SimplifyError, SimplifyTarget, Simplif
 use super::simplify_run::{Run, Verdict};
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Instant;
+use pompeiu_core::spatial::bvh::Bvh;
 use pompeiu_hausdorff::{HausdorffOptions, Tolerance};
 
 /// By how much the distance grows from one pass over the edges to the next.
@@ -40,12 +41,13 @@ type Grown = (Vec<Option<Simplified>>, usize);
 /// For each number of faces, the finest first, the better of two results: by quadric errors alone, and by a schedule of distances.
 pub(super) fn levels(
     run: &Run<'_>,
+    bvh: &Bvh,
     surface: impl Fn() -> Result<Marked, SimplifyError>,
     targets: &[SimplifyTarget],
     started: Instant,
 ) -> Result<Vec<Simplified>, SimplifyError> {
     let input = surface()?;
-    let start = || Ok(Collapses::by_error(input.clone(), run.bvh, run.places));
+    let start = || Ok(Collapses::by_error(input.clone(), run.places));
     let found = by_error(run, start()?, targets, started)?;
     let keeps_apart = found.is_none();
     let (seeds, by_error) = if let Some(found) = found {
@@ -57,7 +59,7 @@ pub(super) fn levels(
     let is_exact = by_error.iter().all(|found| upper(found) <= exact);
     let mut by_distance = Vec::new();
     if !is_exact && !run.control.is_stopped() {
-        by_distance = Schedule { run, input, seeds, targets, by_error: &by_error, keeps_apart }.run()?;
+        by_distance = Schedule { run, bvh, input, seeds, targets, by_error: &by_error, keeps_apart }.run()?;
     }
     by_distance.resize_with(by_error.len(), || None);
     by_error.into_iter().zip(by_distance).map(|(one, other)| better(run, one, other)).collect()
@@ -117,6 +119,7 @@ fn better(run: &Run<'_>, one: Simplified, other: Option<Simplified>) -> Result<S
 /// What the schedule is made from.
 struct Schedule<'s> {
     run: &'s Run<'s>,
+    bvh: &'s Bvh,
     input: Marked,
     /// Surfaces to start from, the coarsest first, with their distances once measured; the last resort is the input.
     seeds: Vec<Seed>,
@@ -168,7 +171,7 @@ impl<'s> Schedule<'s> {
 
     /// The coarsest surface that is near enough to the input, and the first distance.
     fn start(&mut self, most: f64, least: f64) -> Result<(Collapses<'s>, f64), SimplifyError> {
-        let Run { mesh, places, bvh, .. } = *self.run;
+        let (Run { mesh, places, .. }, bvh) = (self.run, self.bvh);
         while let Some((seed, known)) = self.seeds.first_mut() {
             let own = if let Some(distance) = *known {
                 distance
@@ -184,13 +187,13 @@ impl<'s> Schedule<'s> {
                 let distance = if ABOVE_SEED * own > least { ABOVE_SEED * own } else { least };
                 let limit = places.frame.length_in(distance);
                 if let Some(cover) = Cover::of(&seed.surface.mesh, &self.input.mesh, bvh, limit)? {
-                    return Ok((Collapses::on(seed.clone(), Some(cover), bvh, places), distance));
+                    return Ok((Collapses::on(seed.clone(), Some((cover, bvh)), *places), distance));
                 }
             }
             // Nor is it near enough for a lesser distance.
             self.seeds.remove(0);
         }
-        Ok((Collapses::within(self.input.clone(), bvh, places), least))
+        Ok((Collapses::within(self.input.clone(), bvh, *places), least))
     }
 
     /// Collapses edges within a distance that grows until each number of faces is reached; the results, and in how many passes the first

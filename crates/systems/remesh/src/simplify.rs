@@ -13,7 +13,7 @@ use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{RunContext, on_threads};
-use pompeiu_core::spatial::bvh::Bvh;
+use pompeiu_core::spatial::bvh::{Bvh, Slot};
 
 /// Simplifies a mesh by quadric-error edge collapses.
 ///
@@ -97,31 +97,32 @@ fn simplify_here(
     let repairs = RepairOptions { coordinates: options.coordinates, ..RepairOptions::default() };
     let repaired = if options.repair { Some(repair(mesh, &repairs)?.mesh) } else { None };
     let manifold = repaired.as_ref().unwrap_or(mesh);
+    let run = Run { mesh, options, places, rounding, control: context.control(), context };
+    if let (SimplifyTarget::Faces(_), Effort::Fast) = (options.target, options.effort) {
+        let surface = || surface_of(manifold, &places, None, options);
+        return run.levels(|| Ok(Collapses::by_error(surface()?, places)), &targets, started);
+    }
     let bvh = Bvh::build(manifold, &frame);
-    let surface = || surface_of(manifold, &places, &bvh, options);
-    let run = Run { mesh, options, places, rounding, bvh: &bvh, control: context.control(), context };
-    match (options.target, options.effort) {
-        (SimplifyTarget::Faces(_), Effort::Best) => schedule::levels(&run, surface, &targets, started),
-        (SimplifyTarget::Faces(_), Effort::Fast) => {
-            run.levels(|| Ok(Collapses::by_error(surface()?, &bvh, places)), &targets, started)
-        }
-        (SimplifyTarget::Within(_), _) => {
+    let surface = || surface_of(manifold, &places, Some(&bvh), options);
+    match options.target {
+        SimplifyTarget::Faces(_) => schedule::levels(&run, &bvh, surface, &targets, started),
+        SimplifyTarget::Within(_) => {
             run.levels(|| Ok(Collapses::within(surface()?, &bvh, places)), &targets, started)
         }
     }
 }
 
-/// The mesh in its frame, with the curves that are kept.
+/// The mesh in its frame, with the curves that are kept; faces near its vertices are known where there is a tree.
 fn surface_of(
     mesh: &TriMesh,
     places: &Places,
-    bvh: &Bvh,
+    bvh: Option<&Bvh>,
     options: &SimplifyOptions<'_>,
 ) -> Result<Marked, SimplifyError> {
     let mut dynamic = DynamicMesh::new(mesh.positions(), mesh.faces())?;
     places.bring_in(&mut dynamic);
-    let mut near = vec![bvh.any_slot(); mesh.positions().len()];
-    for slot in bvh.slots() {
+    let mut near = vec![Slot::default(); mesh.positions().len()];
+    for (bvh, slot) in bvh.into_iter().flat_map(|bvh| bvh.slots().map(move |slot| (bvh, slot))) {
         for v in mesh.faces()[bvh.face(slot).index()] {
             near[v as usize] = slot;
         }

@@ -11,7 +11,6 @@ use super::simplify_options::{
 };
 use pompeiu_core::mesh::Rounding;
 use pompeiu_core::run::{Control, Instant, Limits, RunContext, StopReason};
-use pompeiu_core::spatial::bvh::Bvh;
 use pompeiu_core::spatial::self_intersections;
 use pompeiu_core::{MeshError, TriMesh};
 use pompeiu_hausdorff::{HausdorffOptions, symmetric_hausdorff};
@@ -37,7 +36,6 @@ pub(super) struct Run<'r> {
     pub(super) options: &'r SimplifyOptions<'r>,
     pub(super) places: Places,
     pub(super) rounding: Rounding,
-    pub(super) bvh: &'r Bvh,
     pub(super) control: Control,
     /// The limits, counted from the start.
     pub(super) context: RunContext<'r>,
@@ -77,7 +75,7 @@ impl<'r> Run<'r> {
             apart = Some(work.snapshot());
         }
         let work = match apart {
-            Some(snapshot) => Collapses::on(snapshot, None, self.bvh, self.places),
+            Some(snapshot) => Collapses::on(snapshot, None, self.places),
             None => start()?,
         };
         Ok(work.keeping_apart())

@@ -73,11 +73,10 @@ pub(super) struct Accepted {
 pub(super) struct Trial<'t> {
     pub(super) surface: &'t Marked,
     pub(super) quadrics: &'t [Quadric],
-    pub(super) input: &'t Input<'t>,
     pub(super) places: &'t Places,
     pub(super) limit: f64,
-    /// Which faces of the input each face covers; none where no distance was asked for.
-    pub(super) cover: Option<&'t Cover>,
+    /// Which faces of the input each face covers, and the input; none where no distance was asked for.
+    pub(super) cover: Option<(&'t Cover, &'t Input<'t>)>,
     /// Where faces are, if those must not intersect that do not now.
     pub(super) crossings: Option<&'t Crossings>,
 }
@@ -107,7 +106,7 @@ impl Trial<'_> {
             if !star.keeps_normals(&faces) {
                 continue;
             }
-            let Some(cover) = self.cover else {
+            let Some((cover, input)) = self.cover else {
                 let error = self.error_at(way.halfedge, position);
                 if error > MOST_ABOVE * queued {
                     return Err(Refused::Costs(error));
@@ -119,12 +118,12 @@ impl Trial<'_> {
                 let collapse = Collapse { position, ..way };
                 return Ok(Accepted { collapse, gone: star.gone, covering: None, near });
             };
-            if let Err(needed_sq) = self.may_be_near(position, &star, &faces, &mut near, scratch) {
+            if let Err(needed_sq) = may_be_near(input, position, &star, &faces, &mut near, scratch) {
                 fails(needed_sq);
                 continue;
             }
             let at_position = near;
-            let limit_sq = self.input.limit_sq;
+            let limit_sq = input.limit_sq;
             if !gathered
                 && let Err(needed) = cover.may_cover(&mut scratch.affected, &star.gone, &faces, limit_sq)
             {
@@ -148,7 +147,7 @@ impl Trial<'_> {
             let most_pieces = LEAST_PIECES + PIECES_PER_FACE * over;
             let workspace = &mut scratch.workspace;
             let mut start = near;
-            let is_near = |t: &Triangle| self.input.is_near(*t, most_pieces, &mut start, workspace);
+            let is_near = |t: &Triangle| input.is_near(*t, most_pieces, &mut start, workspace);
             if !faces.iter().all(is_near) {
                 fails(0.0);
             } else if !self.keeps_apart(&star, &faces, scratch) {
@@ -177,25 +176,6 @@ impl Trial<'_> {
         let [u, v] = [mesh.from(h), mesh.to(h)].map(|x| x as usize);
         let quadric = self.quadrics[u].plus(&self.quadrics[v]);
         place_in_queue(&quadric, position, [mesh.positions[u], mesh.positions[v]])
-    }
-
-    /// Looks whether some points of new faces are near the input: most positions that must be rejected are rejected here.
-    fn may_be_near(
-        &self,
-        position: DVec3,
-        star: &Star,
-        faces: &[Triangle],
-        near: &mut Slot,
-        scratch: &mut Scratch,
-    ) -> Result<(), f64> {
-        let workspace = &mut scratch.workspace;
-        self.input.find_near(position, near, workspace)?;
-        let mut start = *near;
-        faces.iter().zip(&star.corners).try_for_each(|([a, b, c], corner)| {
-            let beside = [a, b, c][(corner + 1) % 3];
-            self.input.find_near((*a + *b + *c) / 3.0, &mut start, workspace)?;
-            self.input.find_near(0.5 * (position + *beside), &mut start, workspace)
-        })
     }
 
     /// Positions to try, the one of least error first.
@@ -234,4 +214,23 @@ impl Trial<'_> {
         }
         different
     }
+}
+
+/// Looks whether some points of new faces are near the input: most positions that must be rejected are rejected here.
+fn may_be_near(
+    input: &Input<'_>,
+    position: DVec3,
+    star: &Star,
+    faces: &[Triangle],
+    near: &mut Slot,
+    scratch: &mut Scratch,
+) -> Result<(), f64> {
+    let workspace = &mut scratch.workspace;
+    input.find_near(position, near, workspace)?;
+    let mut start = *near;
+    faces.iter().zip(&star.corners).try_for_each(|([a, b, c], corner)| {
+        let beside = [a, b, c][(corner + 1) % 3];
+        input.find_near((*a + *b + *c) / 3.0, &mut start, workspace)?;
+        input.find_near(0.5 * (position + *beside), &mut start, workspace)
+    })
 }
