@@ -128,7 +128,7 @@ def flow(
     intersections : str
         The treatment of faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
         are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
-        that intersect; otherwise they are counted.
+        that intersect; otherwise those of both are counted.
     precision : str
         Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
         as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and
@@ -272,7 +272,8 @@ def simplify(
     intersections : str
         The treatment of faces of the result that intersect; where they are refused, no more pairs intersect than in the
         input. ``"ignore"``: they are not looked for; ``"report"``: they are counted; ``"refuse"``: there is no result;
-        ``"refuse-new"``: there is no result where the input has none that intersect; otherwise they are counted.
+        ``"refuse-new"``: there is no result where the input has none that intersect; otherwise those of both are
+        counted.
     levels : int
         Number of levels of detail: each further one has half the distance, or twice the number of faces, of the one
         before.
@@ -415,7 +416,7 @@ def remesh(
     intersections : str
         The treatment of faces of the result that intersect. ``"ignore"``: they are not looked for; ``"report"``: they
         are counted; ``"refuse"``: there is no result; ``"refuse-new"``: there is no result where the input has none
-        that intersect; otherwise they are counted.
+        that intersect; otherwise those of both are counted.
     precision : str
         Numbers in which the coordinates of the result are kept; single where the file that is written holds no others,
         as STL and GLB do. ``"double"``: 53 bits: every mesh in memory; ``"single"``: 24 bits: files such as STL and

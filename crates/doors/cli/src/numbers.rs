@@ -94,10 +94,14 @@ pub(crate) fn point(p: [f64; 3]) -> String {
 
 /// How many pairs of faces of a result intersect.
 pub(crate) fn pairs_that_intersect(count: IntersectionCount) -> String {
+    let before = match count.of_input {
+        Some(before) => format!(", of the input {}", grouped(before as u64)),
+        None => String::new(),
+    };
     match (count.pairs, count.complete) {
         (0, true) => "no two faces".to_owned(),
-        (pairs, true) => format!("{} of faces", counted(pairs, "pair")),
-        (pairs, false) => format!("more than {} of faces", counted(pairs, "pair")),
+        (pairs, true) => format!("{} of faces{before}", counted(pairs, "pair")),
+        (pairs, false) => format!("more than {} of faces{before}", counted(pairs, "pair")),
     }
 }
 

@@ -265,6 +265,19 @@ impl DynamicMesh {
         None
     }
 
+    /// The signed volume that the faces enclose, rounded; none if there is a boundary.
+    pub(super) fn volume(&self) -> Option<f64> {
+        let mut sum = 0.0;
+        for f in (0..self.halfedge_slots() / 3).filter(|&f| self.exists(3 * f)) {
+            if (3 * f..3 * f + 3).any(|h| self.twin[h as usize] == NONE) {
+                return None;
+            }
+            let [a, b, c] = self.corners(f).map(|v| self.positions[v as usize]);
+            sum += a.dot(b.cross(c));
+        }
+        Some(sum / 6.0)
+    }
+
     /// Puts every vertex elsewhere.
     pub fn map_positions(&mut self, to: impl Fn([f64; 3]) -> [f64; 3]) {
         for p in &mut self.positions {

@@ -20,7 +20,7 @@ pub enum Intersections {
     Report,
     /// There is no result.
     Refuse,
-    /// There is no result where the input has none that intersect; otherwise they are counted.
+    /// There is no result where the input has none that intersect; otherwise those of both are counted.
     RefuseNew,
 }
 
@@ -40,11 +40,18 @@ pub struct IntersectionCount {
     pub pairs: usize,
     /// Whether these are all; otherwise there are more.
     pub complete: bool,
+    /// Number of pairs of faces of the input that intersect; null where the result has none, for then they are not counted.
+    pub of_input: Option<usize>,
 }
 
 impl IntersectionCount {
     pub(super) fn of(found: &SelfIntersections) -> Self {
-        Self { pairs: found.pairs.len(), complete: found.complete }
+        Self { pairs: found.pairs.len(), complete: found.complete, of_input: None }
+    }
+
+    /// Whether more pairs intersect than of the input.
+    pub fn is_more(&self) -> bool {
+        self.of_input.is_some_and(|before| self.pairs > before)
     }
 }
 
@@ -99,9 +106,10 @@ impl Intersections {
         }
         let found = self_intersections(mesh, MOST_PAIRS);
         let count = IntersectionCount::of(&found);
-        let Some(first) = found.pairs.first().filter(|_| self.avoids()) else { return Ok(Some(count)) };
-        let before = self_intersections(input, 1);
-        if self == Self::RefuseNew && !before.pairs.is_empty() {
+        let Some(first) = found.pairs.first() else { return Ok(Some(count)) };
+        let before = self_intersections(input, MOST_PAIRS);
+        let count = IntersectionCount { of_input: Some(before.pairs.len()), ..count };
+        if !self.avoids() || self == Self::RefuseNew && !before.pairs.is_empty() {
             return Ok(Some(count));
         }
         Err(Intersects { pairs: count.pairs, place: first.place, touching: before.touching })

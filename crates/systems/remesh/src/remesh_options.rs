@@ -103,6 +103,8 @@ pub struct Remeshed {
     pub after: Quality,
     /// Both directed distances, enclosed: A is the input, B the result. None where it was not measured.
     pub distance: Option<SymmetricReport>,
+    /// The volume that the result encloses over that of the input, rounded; none for a surface with boundary, or around no volume.
+    pub volume_share: Option<f64>,
     /// What rounding to the coordinates of the file does to the input.
     pub rounding: Rounding,
     /// How many pairs of faces intersect, where that was asked for.

@@ -198,6 +198,8 @@ impl<'w> Work<'w> {
         let stop = self.control.reason().unwrap_or(StopReason::Tolerance);
         let shares: Vec<f64> = self.surface.mesh.edges().map(|h| self.surface.share_sq(h).sqrt()).collect();
         let after = Quality::in_frame(&self.surface.mesh, &self.frame, Some(&shares));
+        let [volume_before, volume_after] = [&self.copy, &self.surface].map(|of| of.mesh.volume());
+        let volume_share = volume_before.zip(volume_after).map(|(before, after)| after / before);
         let kept = self.surface.kept();
         let remeshing = self.started.elapsed();
         // What is to be proven is, whatever the time; what is only told ends with the time.
@@ -221,6 +223,7 @@ impl<'w> Work<'w> {
             before: self.before,
             after,
             distance,
+            volume_share: volume_share.filter(|share| share.is_finite()),
             rounding: self.rounding,
             intersections,
             iterations: self.iterations,

@@ -119,11 +119,11 @@ impl<'r> Run<'r> {
         }
         // Where all pairs are refused, those of the input would remain.
         let refuses_all = asked == Intersections::Refuse;
-        let most = if refuses_all { 1 } else { count.pairs };
-        if self_intersections(self.mesh, most).pairs.len() < most {
+        let before = self_intersections(self.mesh, MOST_PAIRS).pairs.len();
+        if before < if refuses_all { 1 } else { count.pairs } {
             return Ok(Verdict::MustKeepApart);
         }
-        Ok(Verdict::May((!refuses_all).then_some(count)))
+        Ok(Verdict::May((!refuses_all).then_some(IntersectionCount { of_input: Some(before), ..count })))
     }
 
     /// Whether faces of a surface intersect.

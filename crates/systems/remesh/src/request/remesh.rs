@@ -15,6 +15,11 @@ use pompeiu_hausdorff::certificate::CertificateAnswer;
 #[cfg(feature = "clap")]
 use pompeiu_core::request::values::{fraction, magnitude};
 
+/// A result farther from the input than this many edge lengths, or that encloses less or more than the volume of the input by this share, is
+/// said to be far from it: something there is narrower than edges are long.
+const FAR_IN_EDGES: f64 = 0.5;
+const FAR_IN_VOLUME: f64 = 0.1;
+
 /// Least and greatest length of edges that follow curvature, as fractions of the diagonal.
 const ADAPTIVE_BETWEEN: [f64; 2] = [1e-4, 0.1];
 
@@ -106,6 +111,11 @@ pub struct RemeshReport {
     pub after: Quality,
     /// The Pompeiu–Hausdorff distance of input (A) and result (B), and both directed distances.
     pub distance: Option<SymmetricReport>,
+    /// The volume that the result encloses over that of the input; null for a surface with boundary, or around no volume.
+    pub volume_share: Option<f64>,
+    /// Whether the result is far from the input though no distance was asked for: by more than half of the length of edges, or the
+    /// chord height, or by a tenth of the volume. Something there is narrower than edges are long.
+    pub is_far: bool,
     /// The effect on the input of rounding to the coordinates of the output.
     pub rounding: Rounding,
     /// The number of pairs of faces of the result that intersect; null where they were not sought.
@@ -191,6 +201,9 @@ impl RemeshRequest {
             before: found.before,
             after: found.after,
             distance: found.distance.clone(),
+            volume_share: found.volume_share,
+            is_far: within.is_none()
+                && is_far(&found, edge_length.map(|length| FAR_IN_EDGES * length).or(chord_height)),
             rounding: found.rounding,
             intersections: found.intersections,
             certificate: None,
@@ -202,10 +215,17 @@ impl RemeshRequest {
     }
 }
 
+/// Whether a result is farther from the input than a length, or encloses another volume.
+fn is_far(found: &Remeshed, length: Option<f64>) -> bool {
+    let distance = found.distance.as_ref().map(|report| report.distance.lower());
+    let is_away = distance.zip(length).is_some_and(|(distance, length)| distance > length);
+    is_away || found.volume_share.is_some_and(|share| (share - 1.0).abs() > FAR_IN_VOLUME)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pompeiu_core::mesh::shapes::icosphere;
+    use pompeiu_core::mesh::shapes::{cuboid, icosphere};
 
     #[test]
     fn at_most_one_size_is_asked_for() {
@@ -221,5 +241,20 @@ mod tests {
         let default = run(RemeshRequest::default()).expect("a sphere of about as many faces").report;
         assert_eq!(default.edge_length, Some(default.before.edge_length.mean));
         assert_eq!(default.after.near_target, Some(1.0));
+    }
+
+    #[test]
+    fn a_result_far_from_the_input_is_said() {
+        let far = |mesh: &TriMesh, within: Option<Length>| {
+            let request = RemeshRequest { relative: Some(0.1), within, ..RemeshRequest::default() };
+            request.run(mesh, &RunContext::default()).expect("a mesh").report
+        };
+        let sphere = icosphere(1.0, 3).expect("a sphere");
+        assert!(!far(&sphere, None).is_far);
+        // A rod a seventh as wide as edges are long.
+        let rod = cuboid([20.0, 0.3, 0.3], 4).expect("a rod");
+        let report = far(&rod, None);
+        assert!(report.is_far && report.volume_share.is_some_and(|share| share < 0.9), "{report:?}");
+        assert!(!far(&rod, Length::new(0.1).ok()).is_far, "what was asked for is not too far");
     }
 }

@@ -22,14 +22,14 @@ const MOST_PLACES: usize = 256;
 type Checked = (TriMesh, Option<IntersectionCount>);
 
 impl Work<'_> {
-    /// The mesh in its own place, with the number of pairs of faces that intersect. Where these are new and are to be refused, it is made
-    /// again with less held, then near to the input, which leaves sheets apart from each other.
+    /// The mesh in its own place, with the number of pairs of faces that intersect. Where these are new, or more, and are to be refused, it
+    /// is made again with less held, then near to the input, which leaves sheets apart from each other.
     pub(super) fn result(&mut self) -> Result<Checked, RemeshError> {
         let mut found = self.checked()?;
         if self.options.intersections.after(self.control.reason()) != Intersections::RefuseNew {
             return Ok(found?);
         }
-        if self.options.within.is_none() && found.is_err() {
+        if self.options.within.is_none() && is_worse(&found) {
             found = self.apart(found)?;
         }
         let shortest =
@@ -52,7 +52,7 @@ impl Work<'_> {
     ) -> Result<Result<Checked, Intersects>, RemeshError> {
         let mut best: (Result<Checked, Intersects>, Marked) = (first, self.surface.clone());
         for beside in BESIDE {
-            if best.0.is_ok() || self.control.is_stopped() {
+            if !is_worse(&best.0) || self.control.is_stopped() {
                 break;
             }
             let found = self_intersections(&self.surface.mesh.to_mesh()?, MOST_PLACES);
@@ -62,7 +62,7 @@ impl Work<'_> {
             self.iterate(self.options.iterations)?;
             best = self.better(best)?;
         }
-        if best.0.is_err()
+        if is_worse(&best.0)
             && let Some(unimproved) = self.unimproved.take()
         {
             self.surface = unimproved;
@@ -88,6 +88,14 @@ impl Work<'_> {
         let mesh = result.to_mesh()?;
         let guard = self.options.intersections.after(self.control.reason());
         Ok(guard.of(&mesh, self.input).map(|count| (mesh, count)))
+    }
+}
+
+/// Whether more pairs of faces intersect than of the input.
+fn is_worse(found: &Result<Checked, Intersects>) -> bool {
+    match found {
+        Ok((_, count)) => count.is_some_and(|count| count.is_more()),
+        Err(_) => true,
     }
 }
 

@@ -5,6 +5,7 @@ use pompeiu_core::mesh::repair::{RepairOptions, repair};
 use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
 use pompeiu_core::mesh::{Affine, Coordinates, MeshSummary, Precision, displace_at_random, merge, transform};
 use pompeiu_core::run::{Limits, StopReason};
+use pompeiu_core::spatial::self_intersections;
 use pompeiu_core::{FaceId, TriMesh, VertexId};
 use pompeiu_remesh::{
     ConnectivityError, FeatureError, Features, Intersections, LengthError, Quality, RemeshError,
@@ -105,6 +106,19 @@ fn a_thin_box_keeps_its_rim_though_edges_are_longer_than_it_is_high() {
     assert!(distance(&found) < 1.0, "{}", distance(&found));
     assert_eq!(found.intersections.map(|count| count.pairs), Some(0));
     assert!(found.after.least_angle.least > 28.0, "{:?}", found.after);
+}
+
+#[test]
+fn pairs_that_intersect_are_told_with_those_of_the_input() {
+    let sphere = shapes::icosphere(1.0, 3).unwrap();
+    let beside = transform(&sphere, &Affine::translate([0.8, 0.0, 0.0])).unwrap();
+    let both = merge(&[&sphere, &beside]).unwrap();
+    let options =
+        RemeshOptions { intersections: Intersections::RefuseNew, ..RemeshOptions::new(Sizing::Length(0.3)) };
+    let count = remesh(&both, &options).unwrap().intersections.unwrap();
+    let before = self_intersections(&both, 1_000_000).pairs.len();
+    assert!(count.pairs > 0 && !count.is_more(), "{count:?}");
+    assert_eq!(count.of_input, Some(before));
 }
 
 #[test]

@@ -7,11 +7,12 @@ use crate::args::{Picture, hold_in, suffix, tell};
 use crate::called::called;
 pub(crate) use crate::door::run;
 use crate::door::{AnswerOf, Invocation, Session, System};
+use crate::numbers::pairs_that_intersect;
 use crate::{certificate, files};
 use anyhow::Context;
 use clap::Args;
 use pompeiu::remesh::show::RemeshPage;
-use pompeiu::remesh::{RemeshReport, RemeshRequest};
+use pompeiu::remesh::{IntersectionCount, RemeshReport, RemeshRequest};
 use std::path::PathBuf;
 
 pub(crate) type Remesh = Invocation<Files>;
@@ -69,6 +70,15 @@ impl System for Files {
         session.stop_waiting();
         let (found, printer) = (&answer.found, session.printer);
         tell(&self.output, &found.rounding, printer);
+        if let Some(count) = answer.report.intersections.filter(IntersectionCount::is_more) {
+            printer.warning(format_args!(
+                "more faces of the result intersect than of the input: {}",
+                pairs_that_intersect(count)
+            ));
+        }
+        if answer.report.is_far {
+            printer.warning(text::far(&answer.report));
+        }
         let attributes = carried.attributes(&found.mesh, &found.kept)?;
         files::write_shifted(&self.output, &found.mesh, &attributes, &found.rounding, printer)?;
         let mut proof = None;

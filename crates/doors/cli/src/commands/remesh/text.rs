@@ -5,9 +5,31 @@ use crate::door::AnswerOf;
 use crate::numbers::{few, grouped, pairs_that_intersect, shortest, time};
 use crate::page::{brief, proven};
 use crate::printer::LABEL;
-use pompeiu::remesh::Quality;
+use pompeiu::remesh::{Quality, RemeshReport};
 use std::fmt::Write;
 use std::path::Path;
+
+/// That a result is far from the input, and what can be done.
+pub(super) fn far(found: &RemeshReport) -> String {
+    let mut facts = Vec::new();
+    if let Some(report) = &found.distance {
+        let of_edges = match found.edge_length {
+            Some(length) => {
+                format!(" ({} of the edge length asked for)", few(report.distance.upper() / length))
+            }
+            None => String::new(),
+        };
+        facts.push(format!("is about {}{of_edges} away from the input", few(report.distance.upper())));
+    }
+    if let Some(share) = found.volume_share {
+        facts.push(format!("encloses {:.1} % of its volume", 100.0 * share));
+    }
+    format!(
+        "the result {}: parts of the input are narrower than edges are long; ask for shorter edges, for a distance (--within), or keep sharp \
+         edges (--features 40)",
+        facts.join(" and ")
+    )
+}
 
 /// A row for each quantity, before and after, and the distance.
 pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> String {
@@ -48,6 +70,9 @@ pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> Stri
                 shortest(height)
             ),
         );
+    }
+    if let Some(share) = found.volume_share {
+        row("volume", format!("{:.1} % of that of the input", 100.0 * share));
     }
     if let Some(count) = found.intersections {
         row("intersect", pairs_that_intersect(count));
