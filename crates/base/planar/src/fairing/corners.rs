@@ -11,9 +11,6 @@ const SHARP: f64 = 0.045;
 /// The least turn of a corner, 20°.
 const LEAST_TURN: f64 = 0.35;
 
-/// How far, in pixels, a corner can have been rounded: about half a pixel, measured along its bisector.
-const ROUNDED: f64 = 0.6;
-
 /// What the steps of pixels add to the length of a bend.
 const SLACK: f64 = 2.0;
 
@@ -31,8 +28,12 @@ const CLEAR: f64 = 1.6;
 const EXTENDED: f64 = 4.0;
 const LEAST_EXTENDED: f64 = 1.5;
 
-/// How far, in pixels, the corner may lie from what was taken out, times the sine of half the angle inside.
-const REACH: f64 = 0.75;
+/// How far, in pixels, the corner may lie from what was taken out, times the sine of half the angle inside: the width of the gates for blunt
+/// corners, less for tips, which may as well be round.
+const REACH: [f64; 2] = [0.75, 1.0];
+
+/// How far it may lie from that at most, in pixels: a longer tip is more likely to be the round end of a thin part.
+const FARTHEST: f64 = 4.0;
 
 /// A corner that was taken out of the curve.
 pub(super) struct Corner {
@@ -42,14 +43,14 @@ pub(super) struct Corner {
     old: Vec<Point>,
 }
 
-/// Takes the stations at corners out of the curve; the stations beside them become free.
-pub(super) fn open(stations: &[Station]) -> (Vec<Station>, Vec<Corner>) {
+/// Takes the stations at corners out of the curve, which may lie `room` pixels to both sides of where it is; the stations beside them become free.
+pub(super) fn open(stations: &[Station], room: f64) -> (Vec<Station>, Vec<Corner>) {
     let frame = Frame::of(stations);
     let n = stations.len();
     let by_curvature = |i: &usize, j: &usize| frame.curvature(*i).abs().total_cmp(&frame.curvature(*j).abs());
     // From the straightest place on, so that no bend goes round the end of the list.
     let start = (0..n).min_by(by_curvature).unwrap_or(0);
-    let mut spans = spans(&frame, start).into_iter().peekable();
+    let mut spans = spans(&frame, start, room).into_iter().peekable();
     let mut kept: Vec<Station> = Vec::with_capacity(n);
     let mut corners = Vec::new();
     let (mut k, mut is_after) = (0, false);
@@ -71,7 +72,7 @@ pub(super) fn open(stations: &[Station]) -> (Vec<Station>, Vec<Corner>) {
 }
 
 /// The first and last station of each corner, counted from a start, with those taken out on both sides.
-fn spans(frame: &Frame, start: usize) -> Vec<(usize, usize)> {
+fn spans(frame: &Frame, start: usize, room: f64) -> Vec<(usize, usize)> {
     let n = frame.turns.len();
     let at = |k: usize| (start + k) % n;
     let is_sharp = |k: usize, sign: f64| sign * frame.curvature(at(k)) > SHARP;
@@ -87,7 +88,7 @@ fn spans(frame: &Frame, start: usize) -> Vec<(usize, usize)> {
         while k + 1 < n && is_sharp(k + 1, sign) {
             k += 1;
         }
-        if is_corner(frame, (from, k), at) {
+        if is_corner(frame, (from, k), room, at) {
             let (mut low, mut high, mut length) = (from, k, [0.0; 2]);
             while low > 0 && length[0] < CLEAR {
                 low -= 1;
@@ -108,16 +109,17 @@ fn spans(frame: &Frame, start: usize) -> Vec<(usize, usize)> {
 }
 
 /// Whether a bend is what a corner between straight sides becomes: no longer than smoothing makes it, and its flanks straight.
-fn is_corner(frame: &Frame, (from, to): (usize, usize), at: impl Fn(usize) -> usize) -> bool {
+fn is_corner(frame: &Frame, (from, to): (usize, usize), room: f64, at: impl Fn(usize) -> usize) -> bool {
     let n = frame.turns.len();
     let turn: f64 = (from..=to).map(|k| frame.turns[at(k)]).sum();
     let length: f64 = (from..to).map(|k| frame.lengths[at(k)]).sum();
     if turn.abs() < LEAST_TURN {
         return false;
     }
-    // An arc of this radius leaves the corner by as much as it can have been rounded.
-    let half = (0.5 * turn.abs()).min(0.45 * PI);
-    let radius = ROUNDED / (1.0 / libm::cos(half) - 1.0);
+    // A blunt corner can be rounded by an arc that touches both sides moved outwards by the room and passes through their corner moved inwards
+    // by it. Less is allowed at tips, which may as well be round.
+    let cosine = libm::cos((0.5 * turn.abs()).min(0.5 * PI));
+    let radius = room * (1.0 + cosine) / (1.0 - cosine);
     let flank = |end: usize, is_forward: bool| {
         let (mut k, mut length, mut turned) = (end, 0.0, 0.0);
         while length < FLANK[1] {
@@ -182,5 +184,7 @@ fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
     }
     let place = [0, 1].map(|k| a[k] + forwards * u[k]);
     let off = corner.old.iter().map(|p| distance(*p, place)).fold(f64::INFINITY, f64::min);
-    (off * libm::sin(0.5 * (PI - turn)) <= REACH).then_some(place)
+    let sine = libm::sin(0.5 * (PI - turn));
+    let [of_tip, of_blunt] = REACH;
+    (off <= FARTHEST && off * sine <= of_tip + (of_blunt - of_tip) * sine).then_some(place)
 }

@@ -10,6 +10,7 @@ mod gates;
 mod relax;
 mod tighten;
 
+use crate::outline::distance;
 use crate::{Outline, Point, first_crossing};
 use corners::{open, with_corners};
 use relax::{relax, stations};
@@ -51,7 +52,9 @@ pub(crate) fn fair(
     staircase: &[Point],
     crossing: impl Fn(Point, Point) -> Option<f64>,
 ) -> Option<Vec<Point>> {
-    let mut stations = stations(&gates::gates(staircase, crossing))?;
+    let gates = gates::gates(staircase, crossing);
+    let room = gates.iter().map(|gate| 0.5 * distance(gate.left, gate.right)).fold(0.0, f64::max);
+    let mut stations = stations(&gates)?;
     for (weight, keeps_corners) in ROUNDS {
         relax(&mut stations, weight, keeps_corners);
     }
@@ -59,7 +62,7 @@ pub(crate) fn fair(
         Outline::new(points.clone()).is_ok_and(|outline| first_crossing(&outline).is_none())
     };
     let smooth: Vec<Point> = stations.iter().map(|station| station.at).collect();
-    let (mut opened, corners) = open(&stations);
+    let (mut opened, corners) = open(&stations, room);
     if !corners.is_empty() {
         for (weight, keeps_corners) in LAST_ROUNDS {
             relax(&mut opened, weight, keeps_corners);

@@ -69,13 +69,37 @@ fn pixels_do_not_change_measures() {
                 for measure in ["compactness", "total-curvature", "hull"].map(|n| Measure::named(n).unwrap())
                 {
                     let [a, b] = [&expected, &found].map(|m| measure.value(m));
-                    // Of two levels and 128 pixels, the turns of the clover are 2.4 % off, the corners of the star up to 4 %.
+                    // Of two levels and 128 pixels, the turns of the clover are up to 4.1 % off.
                     let most = if pixels < 200 && !is_smooth { 0.05 } else { 0.02 };
                     assert!((a / b - 1.0).abs() < most, "{place}: {} {a} {b}", measure.name);
                 }
                 // The dents of the clover are so shallow that one of them can have a second peak.
                 let [a, b] = [&expected, &found].map(|m| m.curvature.peaks);
                 assert!(a.abs_diff(b) <= usize::from(*name == "clover"), "{place}: {a} {b} peaks");
+            }
+        }
+    }
+}
+
+#[test]
+fn corners_in_pictures_of_two_levels_are_where_sides_meet() {
+    let shapes = [
+        ("pentagon", polar(5, |_| 1.0)),
+        ("hexagon", polar(6, |_| 1.0)),
+        ("octagon", polar(8, |_| 1.0)),
+        ("star of 5", star(5, 0.42)),
+        ("star of 8", star(8, 0.6)),
+    ];
+    for (name, shape) in &shapes {
+        let expected = of(shape);
+        for (pixels, degrees) in
+            [128, 192].into_iter().flat_map(|n| [5.0, 10.0, 22.5, 30.0, 37.0].map(|a| (n, a)))
+        {
+            let found = of(&drawn(shape, pixels, degrees, false));
+            for measure in ["compactness", "total-curvature"].map(|n| Measure::named(n).unwrap()) {
+                let [a, b] = [&expected, &found].map(|m| measure.value(m));
+                let place = format!("{name}, {pixels} pixels, {degrees}°");
+                assert!((a / b - 1.0).abs() < 0.02, "{place}: {} {a} {b}", measure.name);
             }
         }
     }
