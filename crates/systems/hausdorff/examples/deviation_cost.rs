@@ -1,7 +1,7 @@
 //! What deviations of surfaces that lie apart cost, in processor time and memory by face:
 //!
 //! ```sh
-//! cargo run --release -p pompeiu-hausdorff --example deviation_cost -- bunny.obj deformed=0.03 [--accuracy 0.01] [--threads 1]
+//! cargo run --release -p pompeiu-hausdorff --example deviation_cost -- bunny.obj deformed=0.03 [--accuracy 0.01] [--threads 1] [--signed]
 //! ```
 //!
 //! A surface is a file or `icosphere=LEVELS`; the second may also be the first `deformed=a` by the amplitude a, `turned=DEGREES` about the
@@ -23,7 +23,7 @@ use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let (mut accuracy, mut threads, mut threshold) = (0.01, 1, None);
+    let (mut accuracy, mut threads, mut threshold, mut signed) = (0.01, 1, None, false);
     let mut surfaces = Vec::new();
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
@@ -31,6 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "--accuracy" => accuracy = value()?.parse()?,
             "--threads" => threads = value()?.parse()?,
             "--threshold" => threshold = Some(value()?.parse()?),
+            "--signed" => signed = true,
             _ => surfaces.push(argument),
         }
     }
@@ -39,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let b = surface(b, Some(&a))?;
     let (before, held) = (processor_seconds(), bytes("VmRSS:"));
     let limits = Limits { threads: Some(Limits::threads(threads)?), ..Limits::default() };
-    let options = DeviationOptions { accuracy, threshold, limits, ..DeviationOptions::default() };
+    let options = DeviationOptions { accuracy, threshold, signed, limits, ..DeviationOptions::default() };
     let deviation = options.symmetric(&a, &b)?;
     let seconds = processor_seconds() - before;
     let faces = a.faces().len() + b.faces().len();

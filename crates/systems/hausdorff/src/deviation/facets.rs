@@ -18,6 +18,7 @@
 
 use super::behind::{Group, Plane, rising_on_both_sides, tilted};
 use super::envelope::unit;
+use super::linear::{greater, lesser};
 use super::polygon::{MOST_CORNERS, Row};
 use crate::rounding::Rounding;
 use glam::DVec3;
@@ -89,8 +90,8 @@ pub(super) struct Facets<'b> {
     neighbours: &'b Neighbours,
     /// Faces that rise no higher over a plane count as lying behind.
     rise: f64,
-    /// Surroundings reach at least as far.
-    least_reach: f64,
+    /// About the usual distance.
+    mean: f64,
     known: Vec<Option<Facet>>,
     surroundings: Vec<Surroundings>,
     around: Vec<Around>,
@@ -107,10 +108,10 @@ const REACHES: usize = 613;
 /// Planes of a face at most, and leaves around a leaf.
 const MOST_HALVES: usize = 20;
 const MOST_LEAVES: usize = 64;
-/// Surroundings reach at least this many times the mean distance, as long as that is no more than so many times the area of the face, squared: what is
-/// around a face within its own size is little, and serves more cells.
-const LEAST_REACH: f64 = 4.0;
-const LEAST_REACH_OF_AREA: f64 = 1.0;
+/// Surroundings reach at least so many times the mean distance, as long as that is no more than this part of the size of the face, the root of its
+/// area: what is around a face within its own size is little, and serves more cells. Farther where faces are far larger still, so that one reach
+/// serves nearly all cells: planes that are compared at a height of many times the distance are not as good.
+const LEAST_REACHES: [(f64, f64); 2] = [(4.0, 1.0), (12.0, 0.125)];
 /// The part of the reach at which planes are compared.
 const HEIGHT: f64 = 0.25;
 /// A plane that is short of what is wanted by no more than this part of that height is good enough.
@@ -124,12 +125,11 @@ impl<'b> Facets<'b> {
     /// `mean` is about the usual distance.
     pub(super) fn new(bvh: &'b Bvh, neighbours: &'b Neighbours, rounding: Rounding, mean: f64) -> Self {
         let rise = 4.0 * rounding.bound(0);
-        let least_reach = LEAST_REACH * mean;
         let mut facets = Self {
             bvh,
             neighbours,
             rise,
-            least_reach: if least_reach > rise { least_reach } else { rise },
+            mean,
             known: vec![None; FACETS],
             surroundings: Vec::new(),
             around: Vec::new(),
@@ -155,9 +155,11 @@ impl<'b> Facets<'b> {
     /// distance; none if too many faces are near.
     pub(super) fn below(&mut self, slot: Slot, below: bool, distance: f64, points: &[Row; 3]) -> Option<Row> {
         let wanted = 2.0 * distance + self.rise;
-        let size = (LEAST_REACH_OF_AREA * self.facet(slot).area).sqrt();
-        let least = if size < self.least_reach { size } else { self.least_reach };
-        let reach = power_of_two(if wanted > least { wanted } else { least });
+        let size = self.facet(slot).area.sqrt();
+        let least = LEAST_REACHES.iter().fold(wanted, |least, (of_mean, of_size)| {
+            greater(least, lesser(of_mean * self.mean, of_size * size))
+        });
+        let reach = power_of_two(least);
         // Reaches of neighbouring cells alternate: they are a power of two each.
         let index = (slot.index() + REACHES * (reach.to_bits() >> 52) as usize) % SURROUNDINGS;
         let known = &self.surroundings[index];
