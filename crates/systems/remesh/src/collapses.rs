@@ -1,5 +1,7 @@
 //! Collapsing edges in order of their quadric error, several at a time.
 
+mod by_error;
+
 use super::connectivity::{NONE, previous};
 use super::cover::{Cover, Covering};
 use super::crossing::{Crossings, are_apart};
@@ -165,6 +167,10 @@ impl<'i> Collapses<'i> {
 
     /// Collapses edges until none can be, or the computation is told to stop: the surface stays within the distance all the time.
     pub(super) fn run(&mut self, control: &Control, progress: Option<&dyn ProgressObserver>) {
+        if self.cover.is_none() && self.crossings.is_none() {
+            self.run_by_error(control, progress);
+            return;
+        }
         let all = self.surface.mesh.face_count() as f64;
         for _ in 0..self.most_passes {
             let before = self.count;

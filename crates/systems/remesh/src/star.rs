@@ -48,16 +48,21 @@ impl Star {
     }
 
     pub(super) fn keeps_normals(&self, faces: &[Triangle]) -> bool {
-        self.normals.iter().zip(faces).all(|(old, new)| {
-            let new = area_vector(*new);
-            // A face without area has no normal to keep, but must not become another one.
-            if *old == DVec3::ZERO {
-                new != DVec3::ZERO
-            } else {
-                let cosine = old.dot(new);
-                cosine > 0.0
-                    && cosine * cosine > LEAST_COSINE.powi(2) * old.length_squared() * new.length_squared()
-            }
-        })
+        self.normals.iter().zip(faces).all(|(old, new)| is_turned_little(*old, area_vector(*new)))
     }
+}
+
+/// Whether a face may become another one: without being turned over.
+pub(super) fn keeps_normal(old: Triangle, new: Triangle) -> bool {
+    is_turned_little(area_vector(old), area_vector(new))
+}
+
+fn is_turned_little(old: DVec3, new: DVec3) -> bool {
+    // A face without area has no normal to keep, but must not become another one.
+    if old == DVec3::ZERO {
+        return new != DVec3::ZERO;
+    }
+    let cosine = old.dot(new);
+    cosine > 0.0
+        && cosine * cosine > LEAST_COSINE * LEAST_COSINE * old.length_squared() * new.length_squared()
 }

@@ -19,7 +19,7 @@ const PIECES_PER_FACE: usize = 4;
 const SAME_POSITION: f64 = 1e-6;
 
 /// A position that costs more than this many times what its edge was queued for waits until it is its turn.
-const MOST_ABOVE: f64 = 1.01;
+pub(super) const MOST_ABOVE: f64 = 1.01;
 
 /// Weight of the squared length of an edge in its place in the queue, relative to the squared distances from planes: short edges first
 /// where all errors vanish.

@@ -310,11 +310,15 @@ fn effort_makes_the_distance_small_at_the_same_number_of_faces() {
             assert_eq!(topology(&found.mesh), topology(mesh));
             found.distance.distance.upper()
         };
-        for share in [10, 30] {
+        // Quadric errors come closer to the best where few faces are left.
+        for (share, part) in [(10, 0.7), (30, 0.76)] {
             let faces = mesh.faces().len() / share;
             let [fast, best] = [Effort::Fast, Effort::Best].map(|effort| by(effort, faces));
             // Quadric errors alone are exact on the tube while there are enough faces.
-            assert!(best <= 0.7 * fast || fast < 1e-9, "{best} within {fast} at {faces} faces");
+            assert!(best <= part * fast || fast < 1e-9, "{best} within {fast} at {faces} faces");
+            if faces == 160 {
+                assert!(fast <= 0.12 && best <= 0.088, "{best}, {fast}");
+            }
         }
     }
 }
