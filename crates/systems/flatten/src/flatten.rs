@@ -15,6 +15,7 @@ use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, Precision, VertexData};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason, on_threads};
+use pompeiu_solve::SolveError;
 use pompeiu_surface::plane::{Vec2, scale};
 use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface, SurfaceMesh};
 use rayon::prelude::*;
@@ -121,7 +122,7 @@ fn run(
         chart
     };
     // Where no short seams are found, parts are divided one after the other.
-    let short = with_short_seams(surface, &parts, options, &watch).ok().flatten();
+    let short = unless_out_of_memory(with_short_seams(surface, &parts, options, &watch))?;
     let (parts, charts) = if let Some(found) = short {
         requested = Some(found.seams);
         (found.parts, found.charts)
@@ -175,6 +176,14 @@ fn run(
         parts.par_iter().zip(&charts).map(|(part, chart)| part_report(surface, part, chart, &result));
     result.report.parts = of_parts.collect();
     Ok(result)
+}
+
+/// What was found, and nothing where the search failed; without memory the rest would fail, too.
+fn unless_out_of_memory<T>(found: Result<Option<T>, FlattenError>) -> Result<Option<T>, FlattenError> {
+    match found {
+        Err(FlattenError::Solve(SolveError::NoMemory { .. })) => found,
+        found => Ok(found.ok().flatten()),
+    }
 }
 
 /// Whether the energy asked for was not reached.
@@ -306,4 +315,18 @@ fn are_apart(charts: &[Vec<Vec2>]) -> bool {
         let beside = boxes[i + 1..].iter().take_while(|q| q[0][0] <= p[1][0]);
         beside.into_iter().all(|q| q[1][1] < p[0][1] || p[1][1] < q[0][1])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A search that fails is given up; one without memory ends the run.
+    #[test]
+    fn only_memory_ends_a_run_that_has_another_way() {
+        let none = SolveError::NoMemory { unknowns: 1, nonzeros: 1 };
+        assert_eq!(unless_out_of_memory::<()>(Err(none.into())), Err(none.into()));
+        assert_eq!(unless_out_of_memory::<()>(Err(SolveError::Singular { index: 0 }.into())), Ok(None));
+        assert_eq!(unless_out_of_memory(Ok(Some(1))), Ok(Some(1)));
+    }
 }

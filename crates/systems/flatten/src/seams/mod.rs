@@ -33,16 +33,19 @@ impl<'s> ShortSeams<'s> {
         Ok(Self { layout: Layout::new(surface, seams.clone())?, known: Known::default(), price: 0.0 })
     }
 
-    /// Adds the seams that are worth most, until the mean energy is estimated to exceed that of an isometry by not much more than `excess`;
-    /// none if no seam makes it less.
+    /// Adds the seams that are worth most, until the mean energy is estimated to exceed that of an isometry by not much more than `excess`,
+    /// and by no more than `estimate`; none if no seam makes it less.
     pub(crate) fn grow(
         &mut self,
         excess: f64,
+        estimate: f64,
         watch: &Watch<'_>,
     ) -> Result<Option<EdgeData<bool>>, SolveError> {
-        let most = ESTIMATE * excess * self.layout.surface.area();
+        let most = (ESTIMATE * excess).min(estimate) * self.layout.surface.area();
         loop {
-            let Some(price) = search::open(&mut self.layout, &mut self.known)? else { return Ok(None) };
+            let Some(price) = search::open(&mut self.layout, &mut self.known, watch)? else {
+                return Ok(None);
+            };
             self.price = if price > self.price { price } else { self.price };
             if !watch.is_stopped() && self.layout.excess() > most {
                 continue;
@@ -50,6 +53,11 @@ impl<'s> ShortSeams<'s> {
             search::close(&mut self.layout, self.price, &mut self.known, watch)?;
             return Ok(Some(self.layout.seams.clone()));
         }
+    }
+
+    /// The mean energy beyond that of an isometry, as it is estimated for the seams given back last.
+    pub(crate) fn estimate(&self) -> f64 {
+        self.layout.excess() / self.layout.surface.area()
     }
 
     /// The length of seams.
@@ -65,12 +73,14 @@ impl<'s> ShortSeams<'s> {
         reached: f64,
         allowed: f64,
         length: f64,
+        watch: &Watch<'_>,
     ) -> Result<Vec<EdgeData<bool>>, SolveError> {
         let mut layout = Layout::new(self.layout.surface, seams.clone())?;
         // The estimate is taken to be wrong by one factor.
         let excess = (1.0 - allowed / reached) * layout.excess();
         let longest = length - self.length(seams);
-        let mut all = search::last_routes(&mut layout, &mut Known::default(), excess, longest)?;
+        let mut known = Known::default();
+        let mut all = search::last_routes(&mut layout, &mut known, excess, longest, watch)?;
         all.truncate(LAST_ROUTES);
         Ok(all)
     }

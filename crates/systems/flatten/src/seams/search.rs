@@ -47,13 +47,16 @@ fn least(layout: &Layout<'_>) -> f64 {
     LEAST * layout.surface.area().sqrt()
 }
 
-/// Finds the routes of charts that are new.
-fn look(layout: &mut Layout<'_>, known: &mut Known) -> Result<(), SolveError> {
+/// Finds the routes of charts that are new; of fewer if the run is stopped.
+fn look(layout: &mut Layout<'_>, known: &mut Known, watch: &Watch<'_>) -> Result<(), SolveError> {
     let charts = layout.charts();
     known.routes.retain(|chart, _| charts.binary_search(chart).is_ok());
     for chart in charts {
         if known.routes.contains_key(&chart) {
             continue;
+        }
+        if watch.is_stopped() {
+            break;
         }
         let mut found = Vec::new();
         for edges in routes(layout, chart) {
@@ -69,8 +72,12 @@ fn look(layout: &mut Layout<'_>, known: &mut Known) -> Result<(), SolveError> {
 
 /// Opens the route through a chart that takes away most excess for its length, and returns the price at which that is worth it; none if no
 /// route takes any away.
-pub(super) fn open(layout: &mut Layout<'_>, known: &mut Known) -> Result<Option<f64>, SolveError> {
-    look(layout, known)?;
+pub(super) fn open(
+    layout: &mut Layout<'_>,
+    known: &mut Known,
+    watch: &Watch<'_>,
+) -> Result<Option<f64>, SolveError> {
+    look(layout, known, watch)?;
     let through = known.routes.values().flatten().filter(|route| route.divides);
     let best = through.min_by(|a, b| a.price().total_cmp(&b.price()));
     let Some(best) = best.filter(|best| best.price().is_finite()) else { return Ok(None) };
@@ -86,8 +93,9 @@ pub(super) fn last_routes(
     known: &mut Known,
     excess: f64,
     length: f64,
+    watch: &Watch<'_>,
 ) -> Result<Vec<EdgeData<bool>>, SolveError> {
-    look(layout, known)?;
+    look(layout, known, watch)?;
     let is_enough = |route: &&Route| -route.excess >= excess && route.length < length;
     let mut routes: Vec<&Route> = known.routes.values().flatten().filter(is_enough).collect();
     routes.sort_by(|a, b| a.length.total_cmp(&b.length));
