@@ -35,6 +35,21 @@ impl EdgeDistances {
     /// # Cost
     /// O(E log E).
     pub fn along(surface: &Surface, sources: &[VertexId], cost: impl Fn(EdgeId) -> f64) -> Self {
+        Self::through(surface, sources, cost, |_| true)
+    }
+
+    /// As [`EdgeDistances::along`], of paths that lead only through some vertices; they may start and end at all.
+    ///
+    /// # Panics
+    /// If a vertex does not exist.
+    /// # Cost
+    /// O(E log E).
+    pub fn through(
+        surface: &Surface,
+        sources: &[VertexId],
+        cost: impl Fn(EdgeId) -> f64,
+        leads: impl Fn(VertexId) -> bool,
+    ) -> Self {
         let mesh = surface.mesh();
         let mut distances = VertexData::filled(mesh.vertices(), f64::INFINITY);
         let mut last = VertexData::filled(mesh.vertices(), None);
@@ -47,7 +62,7 @@ impl EdgeDistances {
         while let Some(Reverse((bits, v))) = open.pop() {
             let v = VertexId(v);
             let distance = f64::from_bits(bits);
-            if distance > distances[v] {
+            if distance > distances[v] || (last[v].is_some() && !leads(v)) {
                 continue;
             }
             for out in mesh.outgoing(v) {

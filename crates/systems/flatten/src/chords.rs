@@ -3,10 +3,9 @@
 //! A convex combination map puts such an edge, and the faces beyond it, on the side itself. Without chords it is one-to-one
 //! (`floater_mean_2003`, and the references there).
 
-use crate::components::{Component, split};
-use crate::cut::open;
+use crate::components::split;
 use crate::map::straight_sides;
-use crate::opened::{Disk, opened_surface};
+use crate::opened::{Disk, disks};
 use crate::straight::{divide, marked};
 use crate::{ConvexBoundary, CutError, FlattenError, SymmetryError, SymmetryPlane};
 use pompeiu_core::TriMesh;
@@ -51,7 +50,9 @@ fn chords(
     plane: Option<&SymmetryPlane>,
 ) -> Result<Vec<EdgeId>, FlattenError> {
     let mut found = EdgeData::filled(surface.mesh().edges(), false);
-    for part in parts(surface, cut, plane)? {
+    // With a plane of symmetry each component is one disk.
+    let parts = if plane.is_some() { split(surface, plane)? } else { disks(surface, cut)? };
+    for part in parts {
         // As the map sees it: corners depend on the first edge of the boundary loop.
         let of_part = match plane {
             Some(_) => part.restricted(surface.mesh(), cut),
@@ -72,20 +73,6 @@ fn chords(
         }
     }
     Ok(surface.mesh().edge_ids().filter(|&edge| found[edge]).collect())
-}
-
-/// The disks that a cut leaves, as components of their own; with a plane of symmetry the components, each of which is one.
-fn parts(
-    surface: &EmbeddedSurface,
-    cut: &EdgeData<bool>,
-    plane: Option<&SymmetryPlane>,
-) -> Result<Vec<Component>, FlattenError> {
-    if plane.is_some() {
-        return Ok(split(surface, plane)?);
-    }
-    let opened = open(surface.mesh(), cut)?;
-    opened.check_disks()?;
-    Ok(split(&opened_surface(&opened, surface)?, None)?)
 }
 
 /// The chords of a disk.

@@ -2,7 +2,7 @@
 
 mod by_error;
 
-use super::connectivity::{NONE, previous};
+use super::connectivity::NONE;
 use super::cover::{Cover, Covering};
 use super::crossing::{Crossings, are_apart};
 use super::marked::Marked;
@@ -317,17 +317,17 @@ impl<'i> Collapses<'i> {
             self.moved.extend(kept.clone());
             crossings.changed(&self.surface, kept);
         }
-        self.count += 1;
         self.surface.near[v as usize] = accepted.near;
-        self.quadrics[v as usize] = self.quadrics[v as usize].plus(&self.quadrics[u]);
-        self.versions[v as usize] += 1;
+        self.merge(u, v as usize);
+        around.extend(self.surface.mesh.edges_at(v));
+    }
+
+    /// Counts a collapse of one vertex into another, and adds up their quadrics.
+    fn merge(&mut self, u: usize, v: usize) {
+        self.count += 1;
+        self.quadrics[v] = self.quadrics[v].plus(&self.quadrics[u]);
+        self.versions[v] += 1;
         self.versions[u] += 1;
-        let mesh = &self.surface.mesh;
-        for h in mesh.halfedges_from(v) {
-            around.push(h);
-            // At the boundary the last edge has a halfedge towards the vertex only.
-            around.extend(Some(previous(h)).filter(|&last| mesh.twin_of(last).is_none()));
-        }
     }
 
     /// Puts those of some edges that exist into the queue.
@@ -335,7 +335,7 @@ impl<'i> Collapses<'i> {
         let Self { surface, quadrics, versions, queue, .. } = self;
         let mesh = &surface.mesh;
         let entry = |&h: &u32| {
-            let h = mesh.twin_of(h).map_or(h, |t| h.min(t));
+            let h = mesh.name_of(h);
             let [u, v] = [mesh.from(h), mesh.to(h)].map(|x| x as usize);
             let quadric = quadrics[u].plus(&quadrics[v]);
             let [p, q] = [u, v].map(|x| mesh.positions[x]);

@@ -230,6 +230,19 @@ impl DynamicMesh {
         self.exists(h) && self.twin_of(h).is_none_or(|t| h < t)
     }
 
+    /// The halfedge by which the edge of another one is named.
+    #[inline]
+    pub(crate) fn name_of(&self, h: u32) -> u32 {
+        self.twin_of(h).map_or(h, |t| h.min(t))
+    }
+
+    /// A halfedge of each edge at a vertex.
+    pub(crate) fn edges_at(&self, v: u32) -> impl Iterator<Item = u32> + '_ {
+        // At the boundary the last edge has a halfedge towards the vertex only.
+        let towards = |h| Some(previous(h)).filter(|&last| self.twin_of(last).is_none());
+        self.halfedges_from(v).flat_map(move |h| [Some(h), towards(h)].into_iter().flatten())
+    }
+
     /// One halfedge of each edge, in order.
     pub(crate) fn edges(&self) -> impl Iterator<Item = u32> + '_ {
         (0..self.halfedge_slots()).filter(|&h| self.names_edge(h))

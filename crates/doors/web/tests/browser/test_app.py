@@ -79,9 +79,10 @@ class App(unittest.TestCase):
         return [(one["id"], node["target"], node.get("failureSummary")) for one in found["violations"] for node in one["nodes"]]
 
     def test_axe_finds_nothing_in_any_state(self):
-        _, address = self.serve()
         for width, height in [(1440, 900), (390, 844)]:
             for scheme in ["light", "dark"]:
+                # A program of its own: one whose only page was closed ends after seconds, and a busy machine opens the next page later.
+                _, address = self.serve()
                 page = self.browser.open(address, width=width, height=height, scheme=scheme)
                 look = f"{'phone' if width < 400 else 'desk'}-{scheme}"
 
@@ -100,10 +101,10 @@ class App(unittest.TestCase):
                 page.wait_for_selector("html[data-state=refused]")
                 state("refused")
                 page.context.close()
-        self.assert_axe_finds_nothing_in_pages_of_one_mesh(address)
 
-    def assert_axe_finds_nothing_in_pages_of_one_mesh(self, address):
+    def test_axe_finds_nothing_in_pages_of_one_mesh(self):
         """Their panel of numbers is scrolled, with nothing in it to focus."""
+        _, address = self.serve()
         page = self.browser.open(address, width=1440, height=900)
         page.set_input_files("#chooser", [MESHES / "torus.obj"])
         for task in ["remesh", "flatten"]:

@@ -180,11 +180,7 @@ fn mirrored_places(
         return Err(CutError::from(SymmetryError::Boundary).into());
     };
     let half = n / 2;
-    let from_start = |r: usize| {
-        let i = start + r;
-        if i < n { at[i] - at[start] } else { at[i - n] + 1.0 - at[start] }
-    };
-    let along: Vec<f64> = (0..=half).map(from_start).collect();
+    let along: Vec<f64> = (0..=half).map(|r| share_between(at, start, r)).collect();
     let perimeter: f64 = sides.iter().sum();
     // Axes between corners first: with them squares stand on a side, and the first of theirs is vertical.
     let by_kind = axes.iter().filter(|(m, _)| m % 2 == 1).chain(axes.iter().filter(|(m, _)| m % 2 == 0));
@@ -247,6 +243,12 @@ fn shares(lengths: &[f64]) -> Vec<f64> {
     at
 }
 
+/// The share of the loop between a place and so many places after it, round the end of the loop.
+fn share_between(at: &[f64], from: usize, count: usize) -> f64 {
+    let (n, to) = (at.len() - 1, from + count);
+    if to < n { at[to] - at[from] } else { at[to - n] + 1.0 - at[from] }
+}
+
 /// Puts the vertices between those at corners on the sides, by chord length.
 fn on_polygon(
     lengths: &[f64],
@@ -259,10 +261,7 @@ fn on_polygon(
     for i in 0..k {
         let side = sub(corners[(i + 1) % k], corners[i]);
         let count = (first[(i + 1) % k] + n - first[i]) % n;
-        let passed = |r: usize| {
-            let v = first[i] + r;
-            if v < n { at[v] - at[first[i]] } else { at[v - n] + 1.0 - at[first[i]] }
-        };
+        let passed = |r: usize| share_between(&at, first[i], r);
         let span = passed(count);
         for r in 0..count {
             places[(first[i] + r) % n] = add(corners[i], scale(passed(r) / span, side));

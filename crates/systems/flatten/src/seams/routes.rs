@@ -1,11 +1,9 @@
 //! Paths along which a chart may be cut.
 
-use super::layout::Layout;
+use super::layout::{Layout, Patch};
 use pompeiu_core::VertexId;
 use pompeiu_core::mesh::VertexData;
-use pompeiu_surface::{EdgeId, HalfedgeId};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use pompeiu_surface::{EdgeDistances, EdgeId};
 
 /// Powers of the potential by which edges cost less: shortest paths, and paths along ridges.
 const POWERS: [i32; 3] = [0, 1, 2];
@@ -20,53 +18,41 @@ const STRAIGHT: f64 = 0.7;
 const MOST_ROUTES: usize = 12;
 
 /// Least costs of paths within a chart, from some of its vertices; they end on its outline.
-struct Paths {
-    costs: VertexData<f64>,
-    last: VertexData<Option<HalfedgeId>>,
+fn paths(
+    layout: &Layout<'_>,
+    chart: u32,
+    sources: &[VertexId],
+    cost: impl Fn(EdgeId) -> f64,
+) -> EdgeDistances {
+    let mesh = layout.mesh();
+    let is_inside =
+        |edge| !layout.is_side(edge) && layout.chart_of[mesh.edge_halfedge(edge).face().index()] == chart;
+    let cost = |edge| if is_inside(edge) { cost(edge) } else { f64::INFINITY };
+    EdgeDistances::through(layout.surface, sources, cost, |v| !layout.is_fixed(v))
 }
 
-impl Paths {
-    fn new(layout: &Layout<'_>, chart: u32, sources: &[VertexId], cost: impl Fn(EdgeId) -> f64) -> Self {
-        let mesh = layout.mesh();
-        let mut costs = VertexData::filled(mesh.vertices(), f64::INFINITY);
-        let mut last = VertexData::filled(mesh.vertices(), None);
-        // The bits of nonnegative doubles are ordered like the numbers, so integers serve as heap keys.
-        let mut open = BinaryHeap::new();
-        for &source in sources {
-            costs[source] = 0.0;
-            open.push(Reverse((0_u64, source)));
+/// The potential of a chart at vertices, without its sign; zero elsewhere.
+struct Heights {
+    values: VertexData<f64>,
+    greatest: f64,
+}
+
+impl Heights {
+    fn new(layout: &Layout<'_>, patch: &Patch) -> Self {
+        let mut values = VertexData::filled(layout.mesh().vertices(), 0.0);
+        let mut greatest: f64 = 0.0;
+        for &(v, u) in &patch.potential.values {
+            values[v] = u.abs();
+            greatest = if u.abs() > greatest { u.abs() } else { greatest };
         }
-        while let Some(Reverse((bits, v))) = open.pop() {
-            let so_far = f64::from_bits(bits);
-            if so_far > costs[v] || (so_far > 0.0 && layout.is_fixed(v)) {
-                continue;
-            }
-            for out in mesh.outgoing(v) {
-                for (h, w) in [(out, mesh.head(out)), (out.previous(), mesh.tail(out.previous()))] {
-                    let edge = mesh.edge(h);
-                    if layout.is_side(edge) || layout.chart_of[h.face().index()] != chart {
-                        continue;
-                    }
-                    let through = so_far + cost(edge);
-                    if through < costs[w] {
-                        costs[w] = through;
-                        last[w] = Some(h);
-                        open.push(Reverse((through.to_bits(), w)));
-                    }
-                }
-            }
-        }
-        Self { costs, last }
+        Self { values, greatest }
     }
 
-    fn path_to(&self, layout: &Layout<'_>, v: VertexId) -> Vec<EdgeId> {
-        let mesh = layout.mesh();
-        let (mut path, mut at) = (Vec::new(), v);
-        while let Some(h) = self.last[at] {
-            path.push(mesh.edge(h));
-            at = if mesh.head(h) == at { mesh.tail(h) } else { mesh.head(h) };
-        }
-        path
+    /// What an edge costs that is the cheaper the higher it lies, by a power.
+    fn cost(&self, layout: &Layout<'_>, edge: EdgeId, power: i32) -> f64 {
+        let [a, b] = layout.mesh().ends(edge).map(|v| self.values[v]);
+        let relative = if self.greatest > 0.0 { 0.5 * (a + b) / self.greatest } else { 0.0 };
+        layout.lengths[edge] * (relative + FLOOR).powi(-power)
     }
 }
 
@@ -91,20 +77,16 @@ fn best(
 /// one side and on both.
 pub(super) fn routes(layout: &Layout<'_>, chart: u32) -> Vec<Vec<EdgeId>> {
     let Some(patch) = layout.chart(chart) else { return Vec::new() };
-    let mut potential = VertexData::filled(layout.mesh().vertices(), 0.0);
-    let mut greatest: f64 = 0.0;
-    for &(v, u) in &patch.potential.values {
-        potential[v] = u.abs();
-        greatest = if u.abs() > greatest { u.abs() } else { greatest };
-    }
-    if greatest == 0.0 {
+    let heights = Heights::new(layout, patch);
+    if heights.greatest == 0.0 {
         return Vec::new();
     }
+    let potential = &heights.values;
     let mesh = layout.mesh();
     let vertices: Vec<VertexId> = patch.potential.values.iter().map(|(v, _)| *v).collect();
     let (outline, inner): (Vec<_>, Vec<_>) = vertices.into_iter().partition(|&v| layout.is_fixed(v));
     let length = |edge: EdgeId| layout.lengths[edge];
-    let depth = Paths::new(layout, chart, &outline, length).costs;
+    let depth = paths(layout, chart, &outline, length).distances;
     let mut seeds: Vec<VertexId> = [
         best(&inner, -1.0, |v| potential[v], |_| true),
         best(&inner, -1.0, |v| depth[v], |_| true),
@@ -117,24 +99,21 @@ pub(super) fn routes(layout: &Layout<'_>, chart: u32) -> Vec<Vec<EdgeId>> {
     seeds.dedup();
     let mut routes: Vec<Vec<EdgeId>> = Vec::new();
     for seed in seeds {
-        let plain = Paths::new(layout, chart, &[seed], length).costs;
+        let plain = paths(layout, chart, &[seed], length).distances;
         // The far end, and the end opposite to it.
         let opposite = |end: VertexId, sign: f64, costs: &VertexData<f64>| {
-            let from = Paths::new(layout, chart, &[end], length).costs;
+            let from = paths(layout, chart, &[end], length).distances;
             let is_opposite = |v: VertexId| from[v] >= STRAIGHT * (plain[end] + plain[v]);
             best(&outline, sign, |v| costs[v], is_opposite)
         };
         let far = best(&outline, -1.0, |v| plain[v], |_| true);
         let far_opposite = far.and_then(|end| opposite(end, -1.0, &plain));
         for power in POWERS {
-            let cost = |edge: EdgeId| {
-                let [a, b] = mesh.ends(edge).map(|v| potential[v]);
-                length(edge) * (0.5 * (a + b) / greatest + FLOOR).powi(-power)
-            };
-            let paths = Paths::new(layout, chart, &[seed], cost);
-            let near = best(&outline, 1.0, |v| paths.costs[v], |_| true);
-            let near_opposite = near.and_then(|end| opposite(end, 1.0, &paths.costs));
-            let to = |end: Option<VertexId>| end.map(|end| paths.path_to(layout, end));
+            let paths = paths(layout, chart, &[seed], |edge| heights.cost(layout, edge, power));
+            let costs = &paths.distances;
+            let near = best(&outline, 1.0, |v| costs[v], |_| true);
+            let near_opposite = near.and_then(|end| opposite(end, 1.0, costs));
+            let to = |end: Option<VertexId>| end.map(|end| paths.path_to(layout.surface, end));
             let [near, near_opposite, far, far_opposite] = [near, near_opposite, far, far_opposite].map(to);
             for ends in [
                 [&near, &None],
@@ -158,7 +137,7 @@ pub(super) fn routes(layout: &Layout<'_>, chart: u32) -> Vec<Vec<EdgeId>> {
     // Along a cut the potential vanishes, and beside it about as far as it is from the outline.
     let gain = |route: &[EdgeId]| {
         let of_edge = |&edge: &EdgeId| {
-            let [u, d] = [&potential, &depth].map(|values| {
+            let [u, d] = [potential, &depth].map(|values| {
                 let [a, b] = mesh.ends(edge).map(|v| values[v]);
                 0.5 * (a + b)
             });
@@ -170,33 +149,22 @@ pub(super) fn routes(layout: &Layout<'_>, chart: u32) -> Vec<Vec<EdgeId>> {
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
     // Routes to one side and routes through the chart are different in kind.
     let mut left = [MOST_ROUTES, MOST_ROUTES / 2];
-    let is_kept = |route: &[EdgeId]| {
+    let mut is_kept = |route: &[EdgeId]| {
         let ends = route.iter().flat_map(|&edge| mesh.ends(edge)).filter(|&v| layout.is_fixed(v)).count();
         let kind = &mut left[usize::from(ends < 2)];
         *kind = kind.saturating_sub(1);
         *kind > 0
     };
-    let mut is_kept = is_kept;
     ranked.into_iter().map(|(_, route)| route).filter(|route| is_kept(route)).collect()
 }
 
 /// Paths within a chart between two vertices of its outline.
 pub(super) fn between(layout: &Layout<'_>, chart: u32, ends: [VertexId; 2]) -> Vec<Vec<EdgeId>> {
     let Some(patch) = layout.chart(chart) else { return Vec::new() };
-    let mut potential = VertexData::filled(layout.mesh().vertices(), 0.0);
-    let mut greatest: f64 = 0.0;
-    for &(v, u) in &patch.potential.values {
-        potential[v] = u.abs();
-        greatest = if u.abs() > greatest { u.abs() } else { greatest };
-    }
-    let mesh = layout.mesh();
+    let heights = Heights::new(layout, patch);
     let path = |power: i32| {
-        let cost = |edge: EdgeId| {
-            let [a, b] = mesh.ends(edge).map(|v| potential[v]);
-            let relative = if greatest > 0.0 { 0.5 * (a + b) / greatest } else { 0.0 };
-            layout.lengths[edge] * (relative + FLOOR).powi(-power)
-        };
-        let mut path = Paths::new(layout, chart, &[ends[0]], cost).path_to(layout, ends[1]);
+        let from = paths(layout, chart, &[ends[0]], |edge| heights.cost(layout, edge, power));
+        let mut path = from.path_to(layout.surface, ends[1]);
         path.sort_unstable();
         path
     };

@@ -144,18 +144,29 @@ pub(super) fn close(
     }
 }
 
-/// The best way to close an arc, or a part of it.
-fn closed(layout: &mut Layout<'_>, arc: &Arc, price: f64, least: f64) -> Result<Option<Trial>, SolveError> {
-    let mut found: Option<Trial> = None;
-    for closing in arc.closings(layout) {
-        let bound = found.as_ref().map_or(-least, |best| cost(best, price));
-        if let Some(trial) = layout.trial(&[], &closing)?
+/// The cheapest of some changes, given by what they open and what they close, if it is an improvement.
+fn cheapest<'e>(
+    layout: &mut Layout<'_>,
+    changes: impl Iterator<Item = (&'e [EdgeId], &'e [EdgeId])>,
+    price: f64,
+    least: f64,
+) -> Result<Option<Trial>, SolveError> {
+    let mut best: Option<Trial> = None;
+    for (opened, closed) in changes {
+        let bound = best.as_ref().map_or(-least, |best| cost(best, price));
+        if let Some(trial) = layout.trial(opened, closed)?
             && cost(&trial, price) < bound
         {
-            found = Some(trial);
+            best = Some(trial);
         }
     }
-    Ok(found)
+    Ok(best)
+}
+
+/// The best way to close an arc, or a part of it.
+fn closed(layout: &mut Layout<'_>, arc: &Arc, price: f64, least: f64) -> Result<Option<Trial>, SolveError> {
+    let closings = arc.closings(layout);
+    cheapest(layout, closings.iter().map(|closing| (&[][..], &closing[..])), price, least)
 }
 
 /// The best way to lead an arc between two charts along another path.
@@ -168,14 +179,5 @@ fn moved(layout: &mut Layout<'_>, arc: &Arc, price: f64, least: f64) -> Result<O
     let union = layout.charts().last().copied();
     let others = union.map_or_else(Vec::new, |union| between(layout, union, arc.ends));
     layout.restore(before);
-    let mut best: Option<Trial> = None;
-    for other in others {
-        let bound = best.as_ref().map_or(-least, |best| cost(best, price));
-        if let Some(trial) = layout.trial(&other, &arc.edges)?
-            && cost(&trial, price) < bound
-        {
-            best = Some(trial);
-        }
-    }
-    Ok(best)
+    cheapest(layout, others.iter().map(|other| (&other[..], &arc.edges[..])), price, least)
 }

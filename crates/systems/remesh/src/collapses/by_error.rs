@@ -4,7 +4,6 @@
 //! collapse are not looked at before it is their turn, which saves most of the work.
 
 use super::{Collapses, PUSHED_TASK};
-use crate::connectivity::previous;
 use crate::marked::{Collapse, Freedom, Hold};
 use crate::queue::Entry;
 use crate::star::keeps_normal;
@@ -141,22 +140,10 @@ impl Collapses<'_> {
     fn collapse_by_error(&mut self, collapse: &Collapse, is_queued: &mut [bool]) {
         let u = self.surface.mesh.from(collapse.halfedge) as usize;
         let v = self.surface.collapse_checked(collapse);
-        self.count += 1;
-        self.quadrics[v as usize] = self.quadrics[v as usize].plus(&self.quadrics[u]);
-        self.versions[v as usize] += 1;
-        self.versions[u] += 1;
+        self.merge(u, v as usize);
         let mesh = &self.surface.mesh;
-        let mut missing = Vec::new();
-        for h in mesh.halfedges_from(v) {
-            // At the boundary the last edge has a halfedge towards the vertex only.
-            let last = Some(previous(h)).filter(|&last| mesh.twin_of(last).is_none());
-            for h in [Some(h), last].into_iter().flatten() {
-                let name = mesh.twin_of(h).map_or(h, |t| h.min(t));
-                if !is_queued[name as usize] {
-                    missing.push(name);
-                }
-            }
-        }
+        let names = mesh.edges_at(v).map(|h| mesh.name_of(h));
+        let missing: Vec<u32> = names.filter(|name| !is_queued[*name as usize]).collect();
         for h in missing {
             let error = self.goal(h).1;
             self.queue_for(h, error, is_queued);
