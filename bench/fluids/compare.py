@@ -37,7 +37,7 @@ class Session:
         done = subprocess.run([self.program, *map(str, words), "--json"], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise RuntimeError(f"{' '.join(map(str, words))}: {done.stderr.strip()}")
-        return json.loads(done.stdout)
+        return json.loads(done.stdout)["report"]
 
     def add(self, task, size, program, milliseconds, energy):
         row = {

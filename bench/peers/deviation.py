@@ -90,10 +90,11 @@ def run(program, files, accuracy, count):
         cpus.append(cpu)
         peaks.append(peak)
     answer = json.loads(out)
+    faces, answer = [file["faces"] for file in answer["inputs"]], answer["report"]
     mean = answer["a_to_b"]["statistics"]["mean"]
     stops = [answer[key]["stop"] for key in ("a_to_b", "b_to_a")]
     return {
-        "faces_a": answer["a"]["faces"], "faces_b": answer["b"]["faces"], "accuracy": accuracy, "runs": count,
+        "faces_a": faces[0], "faces_b": faces[1], "accuracy": accuracy, "runs": count,
         "process_ms": round(statistics.median(times), 3), "process_ms_min": round(min(times), 3),
         "process_ms_max": round(max(times), 3), "cpu_ms": round(statistics.median(cpus), 3), "peak_mib": max(peaks),
         "memory_over_start_mib": max(peaks) - start_mib, "build": pathlib.Path(program).parent.name, "mean_lower": mean["lower"], "mean_upper": mean["upper"],

@@ -164,4 +164,4 @@ def prepare(pair, folder):
 def diagonal(path):
     """Of the box around a mesh."""
     done = subprocess.run([environment.pompeiu(), "info", path, "--json"], check=True, capture_output=True, text=True)
-    return json.loads(done.stdout)["bounding_box"]["diagonal"]
+    return json.loads(done.stdout)["report"]["bounding_box"]["diagonal"]

@@ -55,7 +55,7 @@ def ours(command, moving, fixed, folder):
     seconds = spent() - started
     if done.returncode not in (0, 3):
         sys.exit(done.stderr.decode())
-    answer = json.loads(done.stdout)
+    answer = json.loads(done.stdout)["report"]
     return np.array(answer["matrix"]), seconds, answer["unique"]
 
 
