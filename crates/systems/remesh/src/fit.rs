@@ -38,8 +38,8 @@ const WORTH_A_MOVE: f64 = 0.95;
 /// Faces of a task.
 const TASK: usize = 1 << 10;
 
-/// Points of the input that are far from the surface, by the vertices of the face nearest to them.
-type FarPoints = BTreeMap<u32, Vec<DVec3>>;
+/// Points of the input, by the vertices of the face nearest to them.
+type Points = BTreeMap<u32, Vec<DVec3>>;
 
 /// A sample of the input far from the surface, with the face nearest to it.
 struct Far {
@@ -77,12 +77,27 @@ impl Local<'_> {
             far.sort_by(|x, y| y.distance.total_cmp(&x.distance));
             heights.sort_by(|x, y| y.distance.total_cmp(&x.distance).then(x.face.cmp(&y.face)));
             heights.retain(|x| x.distance > WATCHED * worst);
-            let touched = self.lower_each(&far, &heights, worst, places);
+            // Also those that are near must not become far when a vertex moves.
+            let corners = heights.iter().map(|x| self.surface.mesh.corners(x.face));
+            let mut points: Points =
+                far.iter().map(|x| x.face).chain(corners).flatten().map(|v| (v, Vec::new())).collect();
+            let mut is_beside = Vec::with_capacity(samples.len());
+            for (found, sample) in found.iter().zip(&samples) {
+                let mut is_one = false;
+                for v in found.face {
+                    if let Some(own) = points.get_mut(&v) {
+                        own.push(sample.position);
+                        is_one = true;
+                    }
+                }
+                is_beside.push(is_one);
+            }
+            let touched = self.lower_each(&far, &heights, &points, worst, places);
             if touched.is_empty() {
                 break;
             }
-            let mut is_watched = distances.map(|distance| distance > WATCHED * worst);
-            samples.retain(|_| is_watched.next().unwrap_or(false));
+            let mut is_beside = is_beside.into_iter();
+            samples.retain(|_| is_beside.next().unwrap_or(false));
             faces = heights.into_iter().map(|x| x.face).chain(touched).collect();
             faces.sort_unstable();
             faces.dedup();
@@ -91,23 +106,26 @@ impl Local<'_> {
     }
 
     /// Changes the surface at the worst places; returns the faces that were changed.
-    fn lower_each(&mut self, far: &[Far], heights: &[Height], worst: f64, places: usize) -> Vec<u32> {
+    fn lower_each(
+        &mut self,
+        far: &[Far],
+        heights: &[Height],
+        points: &Points,
+        worst: f64,
+        places: usize,
+    ) -> Vec<u32> {
         let is_high = |distance: f64, length: f64| distance > WORST * worst && distance > LOW * length;
-        let mut points = FarPoints::new();
-        for (v, far) in far.iter().flat_map(|far| far.face.iter().map(move |v| (*v, far))) {
-            points.entry(v).or_default().push(far.sample.position);
-        }
         let mut touched = Vec::new();
         for far in far.iter().filter(|x| is_high(x.distance, x.sample.length)).take(places) {
             let to = Some(far.sample.position);
-            let _ = far.face.iter().any(|&v| self.move_for_distance(v, &points, to, &mut touched));
+            let _ = far.face.iter().any(|&v| self.move_for_distance(v, points, to, &mut touched));
         }
         for height in heights.iter().filter(|x| is_high(x.distance, x.length)).take(places) {
             let sides = [0, 1, 2].map(|i| 3 * height.face + i);
-            let _ = sides.into_iter().any(|h| self.flip_for_distance(h, &points, &mut touched))
+            let _ = sides.into_iter().any(|h| self.flip_for_distance(h, points, &mut touched))
                 || sides
                     .into_iter()
-                    .any(|h| self.move_for_distance(self.surface.mesh.from(h), &points, None, &mut touched));
+                    .any(|h| self.move_for_distance(self.surface.mesh.from(h), points, None, &mut touched));
         }
         touched
     }
@@ -132,7 +150,7 @@ impl Local<'_> {
         faces.par_chunks(TASK).flat_map_iter(of_task).collect()
     }
 
-    fn flip_for_distance(&mut self, h: u32, points: &FarPoints, touched: &mut Vec<u32>) -> bool {
+    fn flip_for_distance(&mut self, h: u32, points: &Points, touched: &mut Vec<u32>) -> bool {
         let Some(t) = self.surface.mesh.twin_of(h) else { return false };
         let vertices = hinge(&self.surface.mesh, h, t);
         let Some([old, new]) = flipped(vertices.map(|v| self.surface.mesh.positions[v as usize])) else {
@@ -167,7 +185,7 @@ impl Local<'_> {
     fn move_for_distance(
         &mut self,
         v: u32,
-        points: &FarPoints,
+        points: &Points,
         to: Option<DVec3>,
         touched: &mut Vec<u32>,
     ) -> bool {

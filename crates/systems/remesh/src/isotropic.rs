@@ -2,6 +2,7 @@
 
 use super::connectivity::NONE;
 use super::flips::{flip_to_delaunay, flip_to_regular};
+use super::folds::keep_fold;
 use super::marked::{Collapse, Freedom, Marked};
 use super::reference::Reference;
 use super::smooth::{keeps_normal, smooth};
@@ -60,7 +61,8 @@ fn collapse_short(surface: &mut Marked, reference: Option<&Reference<'_>>, contr
         if !surface.mesh.names_edge(h) || surface.share_sq(h) >= shortest_sq {
             continue;
         }
-        let Some(mut collapse) = surface.collapse_of(h) else { continue };
+        let Some(found) = surface.collapse_of(h) else { continue };
+        let mut collapse = keep_fold(surface, found);
         if let (Freedom::Curve, Some(reference)) = (collapse.freedom, reference) {
             let curve = surface.curve[h as usize];
             if let Some(p) = reference.project_to_curve(collapse.position, curve, &mut workspace) {

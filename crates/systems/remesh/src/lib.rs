@@ -23,6 +23,7 @@ mod face_tree;
 mod features;
 mod fit;
 mod flips;
+mod folds;
 mod guard;
 mod held;
 mod improve;

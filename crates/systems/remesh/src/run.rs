@@ -55,7 +55,8 @@ const MUCH_SHORTER: f64 = 0.5;
 /// # Definition
 /// Each iteration splits edges longer than 4/3 of their target (those of long thin faces first, with flips between), collapses those
 /// shorter than 4/5, flips edges towards valence 6, and moves vertices towards the middle of their neighbours in their tangent plane, then
-/// to the nearest point of the input. After some iterations vertices are put, and held, where the surface does not reach the input, as at
+/// to the nearest point of the input. Where the surface folds back, as at the rim of a thin plate, vertices move along the fold only, and
+/// collapses leave them where they are. After some iterations vertices are put, and held, where the surface does not reach the input, as at
 /// tips that are narrower than edges are long. The last rounds flip and move only. In the end small angles are raised, great distances
 /// lowered and faces that intersect parted, at one place after the other. Topology does not change. Boundaries, creases and selected edges stay curves on the curves of
 /// the input; their corners and selected vertices stay where they are.

@@ -1,6 +1,7 @@
 //! Moving vertices within the surface towards the middle of their neighbours, and back onto the input.
 
 use super::connectivity::{DynamicMesh, NONE, previous};
+use super::folds::Fold;
 use super::marked::{Hold, Marked};
 use super::reference::Reference;
 use glam::DVec3;
@@ -40,7 +41,7 @@ pub(super) fn smooth(surface: &mut Marked, reference: Option<&Reference<'_>>, st
         apply(surface, moved);
     }
     if let Some(reference) = reference {
-        let moved = each_vertex(surface, |v, workspace| projected(surface, reference, v, workspace));
+        let moved = each_vertex(surface, |v, workspace| projected(surface, reference, &rings, v, workspace));
         apply(surface, moved);
     }
 }
@@ -50,6 +51,8 @@ pub(super) struct Rings {
     /// Where the ring of each vertex starts, and where the last one ends.
     starts: Vec<u32>,
     vertices: Vec<u32>,
+    /// Whether the surface folds back at each free vertex.
+    folds: Vec<Fold>,
 }
 
 impl Rings {
@@ -65,7 +68,12 @@ impl Rings {
             }
         }
         starts.push(vertices.len() as u32);
-        Self { starts, vertices }
+        let fold = |v: u32| {
+            let is_free = surface.hold[v as usize] == Hold::Free && mesh.has_faces(v);
+            if is_free { Fold::at(surface, v) } else { Fold::None }
+        };
+        let folds = (0..count as u32).into_par_iter().map(fold).collect();
+        Self { starts, vertices, folds }
     }
 
     fn around(&self, v: u32) -> &[u32] {
@@ -99,6 +107,7 @@ pub(super) fn relaxed(surface: &Marked, rings: &Rings, v: u32) -> Move {
     let position = match surface.hold[v as usize] {
         Hold::Corner => p,
         Hold::Curve(_) => along_curve(surface, v).unwrap_or(p),
+        Hold::Free if rings.folds[v as usize] != Fold::None => rings.folds[v as usize].relaxed(surface, v),
         Hold::Free => {
             let ring = rings.around(v);
             let (mut sum, mut normal) = (DVec3::ZERO, DVec3::ZERO);
@@ -146,6 +155,7 @@ fn along_curve(surface: &Marked, v: u32) -> Option<DVec3> {
 pub(super) fn projected(
     surface: &Marked,
     reference: &Reference<'_>,
+    rings: &Rings,
     v: u32,
     workspace: &mut Workspace,
 ) -> Move {
@@ -163,7 +173,7 @@ pub(super) fn projected(
     let found = reference.project(p, still.near, workspace);
     let position = if surface.hold[v as usize] != Hold::Free {
         p
-    } else if normal_at(mesh, v).dot(found.normal) < 0.0 {
+    } else if rings.folds[v as usize] == Fold::None && normal_at(mesh, v).dot(found.normal) < 0.0 {
         return still;
     } else {
         found.position
