@@ -20,6 +20,7 @@ use pompeiu_core::geom::Aabb;
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason, on_threads};
 use pompeiu_remesh::DynamicMesh;
+use pompeiu_solve::SolveError;
 use std::ops::ControlFlow;
 
 /// Steps to a stationary surface at most.
@@ -192,10 +193,18 @@ impl<'r> Runner<'r> {
                 break;
             }
             let started = Instant::now();
-            let outcome = self.step(&derivatives)?;
-            let Outcome::Moved(Done { to, time, scheme, reason }) = outcome else {
-                stop = Some(FlowStop::Stalled);
-                break;
+            let Done { to, time, scheme, reason } = match self.step(&derivatives) {
+                Ok(Outcome::Moved(done)) => done,
+                Ok(Outcome::Stalled) => {
+                    stop = Some(FlowStop::Stalled);
+                    break;
+                }
+                // The cotangents of triangles that are too thin leave no digit of the masses.
+                Err(FlowError::Solve(SolveError::NotPositiveDefinite { .. })) => {
+                    stop = Some(FlowStop::Degenerate);
+                    break;
+                }
+                Err(error) => return Err(error),
             };
             self.way += self.longest_move(&to);
             self.surface.mesh.positions_mut().copy_from_slice(&to);

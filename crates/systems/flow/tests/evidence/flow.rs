@@ -4,7 +4,7 @@ use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::merge;
 use pompeiu_core::mesh::shapes::{
-    Diagonal, dumbbell, grid, icosphere, revolved, scherk, schwarz_lantern, torus,
+    Diagonal, cuboid, dumbbell, grid, icosphere, revolved, scherk, schwarz_lantern, torus,
 };
 use pompeiu_flow::{
     BoundaryCondition, Flow, FlowError, FlowOptions, FlowStep, FlowStop, Remeshing, Scheme, StepReason,
@@ -63,6 +63,19 @@ fn an_unstable_catenoid_comes_to_an_end_that_is_said() {
         assert_eq!(flow.place.is_some(), has_place, "{:?}", flow.stop);
         if flow.stop == FlowStop::Stationary {
             assert!(flow.stability.is_some());
+        }
+    }
+}
+
+#[test]
+fn flows_of_plates_end_however_thin_they_are() {
+    for thickness in [1e-3, 1e-5, 1e-7, 1e-9, 1e-12] {
+        let plate = cuboid([1.0, 1.0, thickness], 4).unwrap();
+        for improve in [true, false] {
+            let options = FlowOptions { improve, ..FlowOptions::new(Until::Steps(5)) };
+            let flow = mean_curvature_flow(&plate, &options).unwrap();
+            let has_place = matches!(flow.stop, FlowStop::Stalled | FlowStop::Degenerate);
+            assert_eq!(flow.place.is_some(), has_place, "{thickness}: {:?}", flow.stop);
         }
     }
 }
