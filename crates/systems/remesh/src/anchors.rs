@@ -6,7 +6,7 @@
 
 use super::marked::{Hold, Marked};
 use super::samples::{Sample, reached};
-use super::smooth::keeps_normal;
+use super::triangle::keeps_normal;
 use glam::DVec3;
 use pompeiu_core::MeshError;
 

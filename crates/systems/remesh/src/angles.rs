@@ -1,9 +1,9 @@
 //! Raising the least angles of a remeshed surface, one face after the other.
 
-use super::candidates::Triangle;
 use super::flips::hinge;
 use super::local::{Collapsible, Fan, Local, distance_from, flipped, least_sine, middle, sine};
 use super::marked::{Collapse, Freedom, Hold};
+use super::triangle::Triangle;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::Slot;
 

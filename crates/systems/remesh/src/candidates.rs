@@ -1,5 +1,6 @@
 //! A few triangles, to ask which of them are near a point.
 
+use super::triangle::Triangle;
 use glam::DVec3;
 use multiversion::multiversion;
 use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, block_distances_sq, lane_of, set_lane};
@@ -104,9 +105,6 @@ fn nearest(p: [f64; 3], blocks: &[TriangleBlock]) -> (f64, usize) {
     }
     best
 }
-
-/// Three corners.
-pub(crate) type Triangle = [DVec3; 3];
 
 #[cfg(test)]
 mod tests {

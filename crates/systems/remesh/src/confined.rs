@@ -1,7 +1,6 @@
 //! Remeshing whose every operation keeps the surface within a distance of the input.
 
 use super::batch::{MOST_PIECES, move_all};
-use super::candidates::Triangle;
 use super::connectivity::NONE;
 use super::cover::{Affected, Cover, Covering};
 use super::flips::{hinge, lowers_cotangents};
@@ -11,6 +10,7 @@ use super::places::Places;
 use super::reference::Reference;
 use super::smooth::{Move, smooth};
 use super::star::Star;
+use super::triangle::Triangle;
 use super::within::Input;
 use glam::DVec3;
 use pompeiu_core::MeshError;

@@ -1,8 +1,9 @@
 //! Which faces of the result lie near which faces of the input.
 
-use super::candidates::{Candidates, Triangle};
+use super::candidates::Candidates;
 use super::connectivity::{DynamicMesh, NONE};
 use super::reference::identity;
+use super::triangle::Triangle;
 use super::within::{Input, is_covered};
 use glam::DVec3;
 use pompeiu_core::MeshError;

@@ -1,10 +1,10 @@
 //! Collapses that would make faces intersect that did not.
 
-use super::candidates::Triangle;
 use super::connectivity::DynamicMesh;
 use super::face_tree::FaceTree;
 use super::marked::Marked;
 use super::star::Star;
+use super::triangle::Triangle;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::spatial::faces_intersect;
 

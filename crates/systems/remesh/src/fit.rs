@@ -1,10 +1,10 @@
 //! Lowering the greatest distances of a remeshed surface from the input, one place after the other.
 
-use super::candidates::Triangle;
 use super::flips::hinge;
 use super::local::{Fan, Local, distance_from, flipped, least_sine, middle};
 use super::marked::Hold;
 use super::samples::{Sample, reached};
+use super::triangle::Triangle;
 use glam::DVec3;
 use pompeiu_core::MeshError;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};

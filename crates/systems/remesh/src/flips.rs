@@ -2,7 +2,7 @@
 
 use super::connectivity::{DynamicMesh, NONE, next, previous};
 use super::marked::Marked;
-use super::smooth::{area_vector, is_no_thinner, shape};
+use super::triangle::{area_vector, is_no_thinner, shape};
 use glam::DVec3;
 
 /// Cosine between the normals of both faces at an edge, before and after a flip, below which it is left alone.

@@ -5,7 +5,7 @@
 //! the input is then beside the rim.
 
 use super::marked::{Collapse, Freedom, Marked};
-use super::smooth::area_vector;
+use super::triangle::area_vector;
 use glam::DVec3;
 
 /// Length of the mean of the unit normals around a vertex, weighted by angles, below which the surface folds back along two edges. Two

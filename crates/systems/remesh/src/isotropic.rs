@@ -5,8 +5,9 @@ use super::flips::{flip_to_delaunay, flip_to_regular};
 use super::folds::keep_fold;
 use super::marked::{Collapse, Freedom, Marked};
 use super::reference::Reference;
-use super::smooth::{keeps_normal, smooth};
+use super::smooth::smooth;
 use super::splits::{Flips, STOP_EVERY, TooMany, split_longer_than};
+use super::triangle::keeps_normal;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::Workspace;
 

@@ -53,6 +53,7 @@ mod smooth;
 mod splits;
 mod star;
 mod trial;
+mod triangle;
 mod untangle;
 mod within;
 

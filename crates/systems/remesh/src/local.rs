@@ -1,10 +1,9 @@
 //! Changes of a remeshed surface at one place after the other: what those that raise angles and those that lower distances share.
 
-use super::candidates::Triangle;
 use super::marked::{Collapse, Marked};
 use super::reference::Reference;
-use super::smooth::{area_vector, keeps_normal};
 use super::star::Star;
+use super::triangle::{Triangle, area_vector, keeps_normal};
 use glam::DVec3;
 use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};

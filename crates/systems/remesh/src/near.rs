@@ -1,8 +1,8 @@
 //! Where a remeshed surface is too far from the input.
 
-use super::candidates::Triangle;
 use super::marked::Marked;
 use super::reference::{Reference, identity};
+use super::triangle::Triangle;
 use super::within::Input;
 use pompeiu_core::MeshError;
 use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};

@@ -17,7 +17,7 @@ use super::reference::Reference;
 use super::remesh_options::{RemeshError, RemeshOptions, RemeshTiming, Remeshed};
 use super::samples::{Avoided, samples};
 use super::sizing::{self, Lengths};
-use super::smooth::area_vector;
+use super::triangle::area_vector;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::Rounding;

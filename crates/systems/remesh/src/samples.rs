@@ -3,7 +3,7 @@
 use super::connectivity::NONE;
 use super::marked::{Hold, Marked};
 use super::reference::identity;
-use super::smooth::area_vector;
+use super::triangle::area_vector;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Bvh, Slot, Workspace};
 use pompeiu_core::{MeshError, TriMesh};

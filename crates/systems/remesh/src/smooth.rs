@@ -4,12 +4,10 @@ use super::connectivity::{DynamicMesh, NONE, previous};
 use super::folds::Fold;
 use super::marked::{Hold, Marked};
 use super::reference::Reference;
+use super::triangle::{area_vector, keeps_normal};
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
 use rayon::prelude::*;
-
-/// Cosine between the normals of a face before and after a step: below it the face counts as turned over.
-const LEAST_COSINE: f64 = 0.2;
 
 /// Vertices of a task.
 const TASK: usize = 1 << 10;
@@ -184,39 +182,6 @@ pub(super) fn projected(
 
 fn normal_at(mesh: &DynamicMesh, v: u32) -> DVec3 {
     mesh.halfedges_from(v).map(|h| area_vector(mesh.corners(h / 3).map(|v| mesh.positions[v as usize]))).sum()
-}
-
-/// Twice the area of a triangle, along its normal.
-pub(super) fn area_vector([a, b, c]: [DVec3; 3]) -> DVec3 {
-    (b - a).cross(c - a)
-}
-
-/// Whether a triangle may become another one: neither turned over nor, if it had an area, without one, nor thin.
-pub(super) fn keeps_normal(old: [DVec3; 3], new: [DVec3; 3]) -> bool {
-    let (n, m) = (area_vector(old), area_vector(new));
-    let cosine = n.dot(m);
-    n == DVec3::ZERO
-        || cosine > 0.0
-            && cosine * cosine > LEAST_COSINE * LEAST_COSINE * n.length_squared() * m.length_squared()
-            && is_no_thinner(new, old)
-}
-
-/// Height over length below which a triangle is thin.
-const THIN: f64 = 0.05;
-
-/// The height of a triangle over its longest edge, as a share of that edge; 0 without an edge.
-pub(super) fn shape([a, b, c]: [DVec3; 3]) -> f64 {
-    let longest = [(a, b), (b, c), (c, a)].into_iter().fold(0.0, |most: f64, (p, q)| {
-        let square = p.distance_squared(q);
-        if square > most { square } else { most }
-    });
-    if longest > 0.0 { area_vector([a, b, c]).length() / longest } else { 0.0 }
-}
-
-/// Whether a triangle is not thin, or no thinner than another one.
-pub(super) fn is_no_thinner(new: [DVec3; 3], old: [DVec3; 3]) -> bool {
-    let found = shape(new);
-    found > THIN || found >= shape(old)
 }
 
 /// Moves the vertices; those of faces that would turn over stay, again and again until no face does.

@@ -4,7 +4,7 @@ use super::connectivity::{NONE, next, previous};
 use super::flips::{hinge, lowers_cotangents};
 use super::marked::{Hold, Marked};
 use super::reference::Reference;
-use super::smooth::shape;
+use super::triangle::shape;
 use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::Workspace;

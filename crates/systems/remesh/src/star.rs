@@ -1,8 +1,7 @@
 //! The faces around an edge, before and after it collapses.
 
-use super::candidates::Triangle;
 use super::marked::Marked;
-use super::smooth::area_vector;
+use super::triangle::{Triangle, area_vector};
 use glam::DVec3;
 
 /// Cosine between the normals of a face before and after a collapse: below it the face is counted as turned over.

@@ -1,12 +1,12 @@
 //! Whether an edge can be collapsed, and where to: the tests of a simplification, which change nothing.
 
-use super::candidates::Triangle;
 use super::cover::{Affected, Cover, Covering};
 use super::crossing::{CrossingScratch, Crossings};
 use super::marked::{Collapse, Freedom, Marked};
 use super::places::Places;
 use super::quadric::Quadric;
 use super::star::Star;
+use super::triangle::Triangle;
 use super::within::Input;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};

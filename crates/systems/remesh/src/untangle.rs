@@ -3,11 +3,11 @@
 //! Faces intersect where sheets are nearer to each other than edges are long. There a vertex is moved, an edge flipped or collapsed, where
 //! this leaves fewer pairs.
 
-use super::candidates::Triangle;
 use super::face_tree::FaceTree;
 use super::flips::hinge;
 use super::local::{Collapsible, Fan, Local, flipped, least_sine};
 use super::marked::{Collapse, Freedom, Hold};
+use super::triangle::Triangle;
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::spatial::bvh::Slot;

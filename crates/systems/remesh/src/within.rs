@@ -5,7 +5,8 @@
 //! over the triangle nearest to its centroid: inside the prism that triangle is nearest, and coplanar faces need no further cut.
 //! The tests steer the simplification; the proof for the whole result is that of [`pompeiu_hausdorff`].
 
-use super::candidates::{Candidates, Triangle};
+use super::candidates::Candidates;
+use super::triangle::Triangle;
 use glam::DVec3;
 use pompeiu_core::spatial::bvh::{Bvh, Cover, Nearest, Slot, Workspace};
 
