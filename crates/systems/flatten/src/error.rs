@@ -5,6 +5,21 @@ use pompeiu_core::{FaceId, VertexId};
 use pompeiu_solve::SolveError;
 use pompeiu_surface::GeometryError;
 
+/// How many faces are flipped or without area, if any are.
+fn flipped(faces: &[FaceId]) -> String {
+    let Some(first) = faces.first() else { return String::new() };
+    let (count, are) = (faces.len(), if faces.len() == 1 { "face is" } else { "faces are" });
+    format!("{count} {are} flipped or without area, face {first} the first, and ", first = first.0)
+}
+
+fn cure(faces: &[FaceId]) -> &'static str {
+    if faces.is_empty() {
+        "cut the surface, or give it better faces with `pompeiu remesh`"
+    } else {
+        "cut the surface there, or leave the boundary free"
+    }
+}
+
 /// Why a surface cannot be flattened.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -17,9 +32,9 @@ pub enum FlattenError {
     Solve(#[from] SolveError),
     /// Faces are flipped or nearly degenerate with all weights tried.
     #[error(
-        "the map is crowded: {} faces are flipped or without area, face {} the first, and the least singular value is {ratio:e} of \
-         the greatest; cut the surface there, or leave the boundary free",
-        faces.len(), faces.first().map_or(0, |face| face.0)
+        "the map is crowded: {}the least singular value is {ratio:e} of the greatest; {}",
+        flipped(faces),
+        cure(faces)
     )]
     Crowded {
         /// The faces.

@@ -18,6 +18,10 @@ use std::time::Duration;
 /// Smallest ratio of the least to the greatest singular value of an acceptable map.
 const LEAST_RATIO: f64 = 1e-10;
 
+/// Below this ratio mean value weights are used as they are: made symmetric, they move a vertex that nearly lies on the opposite edge away
+/// from it by many times the height of the face.
+const POOR_RATIO: f64 = 1e-6;
+
 /// Largest number of changes of weights against nearly degenerate faces.
 const MOST_ROUNDS: usize = 20;
 
@@ -93,13 +97,30 @@ impl Measured {
     }
 }
 
+/// Links with weights whose sum around each vertex is 1: residuals count alike where weights of thin faces are many times greater.
+fn means(links: &[Link], vertices: usize) -> Vec<Link> {
+    let mut sums = vec![0.0; vertices];
+    for Link { ends, weights } in links {
+        for (v, weight) in ends.iter().zip(weights) {
+            sums[*v as usize] += weight;
+        }
+    }
+    let share = |link: &Link| {
+        [0, 1].map(|i| {
+            let sum = sums[link.ends[i] as usize];
+            if sum > 0.0 { link.weights[i] / sum } else { link.weights[i] }
+        })
+    };
+    links.iter().map(|link| Link { ends: link.ends, weights: share(link) }).collect()
+}
+
 /// Maps a disk onto a convex boundary without flips.
 ///
 /// # Definition
 /// First with the requested weights; cotangent weights that flip a face are replaced by mean value weights. If faces are nearly
 /// degenerate, and to reduce distortion on request, each weight is divided by the factors of both its ends. The factor of a vertex
 /// is the geometric mean, over its faces, of the square root of the ratio of their area to that in the map. All weights stay
-/// positive.
+/// positive. Where the result is poor, mean value weights that are not made symmetric are tried as well.
 ///
 /// # Errors
 /// [`FlattenError::Crowded`] if faces are still flipped, or nearly so, after 20 rounds.
@@ -181,6 +202,13 @@ pub(crate) fn start_map(
         }
         if !is_worth {
             break;
+        }
+    }
+    if best.0.ratio < POOR_RATIO && used == Weights::MeanValue && lessens_distortion {
+        system.balance_unsymmetric(&means(&these, surface.mesh().vertices()), &mut uv)?;
+        let measured = measure(&uv);
+        if measured.is_sound() && (!best.0.is_sound() || measured.energy < best.0.energy) {
+            best = (measured, uv);
         }
     }
     let (measured, uv) = best;

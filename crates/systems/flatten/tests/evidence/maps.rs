@@ -115,6 +115,33 @@ fn crowded_tubes_are_cured_or_named() {
 }
 
 #[test]
+fn faces_of_hardly_any_height_are_mapped_with_the_rest() {
+    let grid = shapes::grid([6.0, 6.0], [6, 6], Diagonal::Rising).unwrap();
+    for (bend, expected) in [(0.0, 4.0 + 1e-6), (0.3, 4.1)] {
+        for height in [1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 4e-12] {
+            let (mut positions, mut faces) = grid.clone().into_parts();
+            for p in &mut positions {
+                p[2] = bend * p[0].sin() * p[1].cos();
+            }
+            // Three faces are divided at points that nearly lie on an edge.
+            for f in [20, 33, 50] {
+                let [a, b, c] = faces[f];
+                let [p, q, r] = faces[f].map(|v| positions[v as usize]);
+                let middle = [0, 1, 2].map(|k| 0.5 * (p[k] + q[k]));
+                let v = positions.len() as u32;
+                positions.push([0, 1, 2].map(|k| middle[k] + height * (r[k] - middle[k])));
+                faces[f] = [a, b, v];
+                faces.extend([[b, c, v], [c, a, v]]);
+            }
+            let mesh = TriMesh::new(positions, faces).unwrap();
+            let flat = flatten(&surface(&mesh), &FlattenOptions::default()).unwrap();
+            let energy = flat.report.distortion.symmetric_dirichlet.mean;
+            assert!(energy < expected, "{bend} {height:e}: {energy}");
+        }
+    }
+}
+
+#[test]
 fn developable_surfaces_keep_their_lengths() {
     let cylinder = shapes::cylinder(1.0, 2.0, 24, 5, Ends::Open).unwrap();
     let cone = shapes::cone(1.0, 2.0, 24, Ends::Open).unwrap();
