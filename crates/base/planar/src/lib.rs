@@ -33,6 +33,7 @@ pub mod dxf;
 mod fairing;
 mod file;
 mod filling;
+mod joined;
 mod offset;
 mod outline;
 mod overlap;
@@ -41,6 +42,7 @@ mod predicates;
 mod raster;
 mod shape_source;
 pub mod silhouette;
+mod strips;
 pub mod svg;
 
 pub use crossing::{Crossing, first_crossing};

@@ -1,6 +1,8 @@
 //! Outlines at a distance from an outline.
 
+use crate::joined::joined;
 use crate::outline::{cross, distance, minus};
+use crate::strips::Strips;
 use crate::{Outline, Point, first_crossing};
 
 /// Largest distance of chords from the arcs around corners, relative to the offset distance.
@@ -26,7 +28,7 @@ const NEAR: f64 = 1e-7;
 /// Chords lie within 2 % of the distance from their arcs. Coordinates have the rounding of doubles.
 ///
 /// # Cost
-/// Corners squared.
+/// Corners times the sides at the height of one; for each side, those that are beside it.
 pub fn offset(outline: &Outline, by: f64) -> Vec<Outline> {
     if by == 0.0 || !by.is_finite() {
         return vec![outline.clone()];
@@ -84,26 +86,20 @@ fn moved(points: &[Point], by: f64) -> Vec<Point> {
 fn kept(raw: &[Point], beside: f64) -> Vec<[Point; 2]> {
     let n = raw.len();
     let side = |i: usize| [raw[i], raw[(i + 1) % n]];
+    let strips = Strips::new(raw);
     let mut cuts: Vec<Vec<(f64, Point)>> = vec![Vec::new(); n];
-    for i in 0..n {
-        let [a, b] = side(i);
-        for j in i + 1..n {
-            let [c, d] = side(j);
-            let is_apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
-            if is_apart(0) || is_apart(1) || j == i + 1 || (i == 0 && j == n - 1) {
-                continue;
-            }
-            let (u, v, w) = (minus(b, a), minus(d, c), minus(c, a));
-            let scale = cross(u, v);
-            if scale == 0.0 {
-                continue;
-            }
-            let (s, t) = (cross(w, v) / scale, cross(w, u) / scale);
-            if (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
-                let place = [0, 1].map(|k| a[k] + s * u[k]);
-                cuts[i].push((s, place));
-                cuts[j].push((t, place));
-            }
+    for [i, j] in strips.near_pairs() {
+        let ([a, b], [c, d]) = (side(i), side(j));
+        let (u, v, w) = (minus(b, a), minus(d, c), minus(c, a));
+        let scale = cross(u, v);
+        if scale == 0.0 {
+            continue;
+        }
+        let (s, t) = (cross(w, v) / scale, cross(w, u) / scale);
+        if (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
+            let place = [0, 1].map(|k| a[k] + s * u[k]);
+            cuts[i].push((s, place));
+            cuts[j].push((t, place));
         }
     }
     let mut found = Vec::new();
@@ -117,68 +113,11 @@ fn kept(raw: &[Point], beside: f64) -> Vec<[Point; 2]> {
                 let middle = [0, 1].map(|k| 0.5 * (from[k] + to[k]));
                 let across = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
                 let at = |sign: f64| [0, 1].map(|k| middle[k] + sign * beside * across[k]);
-                if winding(raw, at(1.0)) > 0 && winding(raw, at(-1.0)) <= 0 {
+                if strips.winding(at(1.0)) > 0 && strips.winding(at(-1.0)) <= 0 {
                     found.push([from, to]);
                 }
             }
             from = to;
-        }
-    }
-    found
-}
-
-/// The winding number of a closed curve around a point.
-fn winding(curve: &[Point], p: Point) -> i32 {
-    let n = curve.len();
-    (0..n)
-        .map(|i| {
-            let (a, b) = (curve[i], curve[(i + 1) % n]);
-            let is_left = || cross(minus(b, a), minus(p, a)) > 0.0;
-            if a[1] <= p[1] && b[1] > p[1] && is_left() {
-                1
-            } else if a[1] > p[1] && b[1] <= p[1] && !is_left() {
-                -1
-            } else {
-                0
-            }
-        })
-        .sum()
-}
-
-/// Removes segments that do not continue into a closed curve: rounding leaves some where the curve meets itself in a thin triangle.
-fn closed(segments: &[[Point; 2]], near: f64) -> Vec<[Point; 2]> {
-    let mut kept = segments.to_vec();
-    loop {
-        let follows = |at: Point, end: usize| kept.iter().any(|other| distance(other[end], at) <= near);
-        let next: Vec<[Point; 2]> =
-            kept.iter().copied().filter(|[a, b]| follows(*b, 0) && follows(*a, 1)).collect();
-        if next.len() == kept.len() {
-            return kept;
-        }
-        kept = next;
-    }
-}
-
-/// Joins segments into closed curves where one ends within a distance of the start of another.
-fn joined(segments: &[[Point; 2]], near: f64) -> Vec<Vec<Point>> {
-    let mut left = closed(segments, near);
-    left.reverse();
-    let mut found = Vec::new();
-    while let Some([start, mut end]) = left.pop() {
-        let mut points = vec![start];
-        loop {
-            let away = |i: &usize| distance(left[*i][0], end);
-            let next = (0..left.len()).rev().min_by(|i, j| away(i).total_cmp(&away(j)));
-            let next = next.filter(|i| away(i) <= near && away(i) <= distance(start, end));
-            let Some(next) = next else { break };
-            let [from, to] = left.remove(next);
-            if points.last().is_some_and(|p| distance(*p, from) > near) {
-                points.push(from);
-            }
-            end = to;
-        }
-        if distance(start, end) <= near {
-            found.push(points);
         }
     }
     found
