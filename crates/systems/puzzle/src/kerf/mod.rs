@@ -50,7 +50,7 @@ const TRIED_ALONE: usize = 4;
 ///
 /// # Cost
 /// For each of about as many pairs as pieces, a hundred to sixty thousand configurations, each with the number of points of the common
-/// border, and for each piece the depth of some tens of thousands of points, each with the number of corners.
+/// border, tested in groups of four; and for each piece the depth of some thousands of squares.
 pub fn kerf(puzzle: &Puzzle, width: f64, control: &Control) -> Kerf {
     let clusters = clusters(puzzle, width, &CELLS, control);
     let holds = clusters.len() == 1;
@@ -101,7 +101,7 @@ fn comes_off(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> b
     pieces.sort_by_key(|piece| neighbours[*piece]);
     pieces[..pieces.len().min(TRIED_ALONE)].par_iter().any(|piece| {
         !of(*piece).any(|(pair, borders)| {
-            Pair::new(puzzle, *pair, borders, width).is_some_and(|pair| pair.holds(cells, control))
+            Pair::new(puzzle, *pair, borders, width).is_some_and(|mut pair| pair.holds(cells, control))
         })
     })
 }
@@ -118,7 +118,7 @@ fn clusters(puzzle: &Puzzle, width: f64, cells: &[f64], control: &Control) -> Ve
             .filter(|(pair, _)| held.of(pair[0]) != held.of(pair[1]))
             .partition(|(pair, _)| joined.join(*pair));
         let holds = |(pair, borders): &(_, Vec<usize>)| {
-            Pair::new(puzzle, *pair, borders, width).is_some_and(|p| p.holds(cells, control))
+            Pair::new(puzzle, *pair, borders, width).is_some_and(|mut p| p.holds(cells, control))
         };
         let holding: Vec<bool> = now.par_iter().map(holds).collect();
         for ((pair, _), _) in now.iter().zip(holding).filter(|(_, holds)| *holds) {

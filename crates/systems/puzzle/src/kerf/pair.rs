@@ -3,8 +3,10 @@
 use super::depths::Depths;
 use crate::Puzzle;
 use pompeiu_core::run::Control;
-use pompeiu_planar::{Outline, Point, distance_to_outline};
-use std::collections::{BinaryHeap, HashSet};
+use pompeiu_planar::{Outline, Point};
+use rustc_hash::FxHashSet;
+use std::collections::BinaryHeap;
+use std::ops::Range;
 
 /// Cell sizes relative to the width of the cut; the next one is tried if a path to the outside exists at the previous one.
 pub(super) const CELLS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
@@ -23,7 +25,13 @@ const MOST_TURN: f64 = 0.7;
 const POINTS: usize = 160;
 
 /// The side of the squares in which depths are looked up, relative to the width of the cut.
-const SQUARE: f64 = 2.0;
+const SQUARE: f64 = 0.5;
+
+/// Consecutive points that are tested at once.
+const GROUP: usize = 4;
+
+/// Points that are tested first, because they proved earlier cells closed.
+const FIRST: usize = 6;
 
 /// Safety margin for rounding, relative to the width of the cut.
 const ROUNDING: f64 = 1e-6;
@@ -37,11 +45,55 @@ const ROUNDING: f64 = 1e-6;
 /// closed are visited; if none of them is far away, no path of motions separates the pieces.
 pub(super) struct Pair {
     pieces: [Depths; 2],
-    /// Points of each piece that remain after the cut.
-    points: [Vec<Point>; 2],
+    /// Points of each piece that remain after the cut, relative to the middle of the border.
+    points: [Vec<Probe>; 2],
+    /// Groups of consecutive ones.
+    groups: [Vec<Group>; 2],
     middle: Point,
     size: f64,
     width: f64,
+}
+
+/// A point of a piece, relative to the middle of the border, and its distance from there.
+#[derive(Clone, Copy)]
+struct Probe {
+    at: Point,
+    arm: f64,
+}
+
+/// Consecutive points of a piece, within a radius of one.
+struct Group {
+    middle: Probe,
+    radius: f64,
+    points: Range<usize>,
+}
+
+/// A cell of motions, in the terms that the test of a point needs.
+struct Cell {
+    shift: Point,
+    sine: f64,
+    cosine: f64,
+    /// The greatest displacement of a point within it by translation, and by rotation per length of its arm.
+    translation: f64,
+    rotation: f64,
+}
+
+impl Cell {
+    /// Where a point of one of the pieces lies relative to the other, and the greatest displacement of it within the cell.
+    fn moved(&self, piece: usize, Probe { at, arm }: Probe) -> (Point, f64) {
+        let (sine, cosine) = (self.sine, self.cosine);
+        if piece == 0 {
+            let moved = [
+                cosine * at[0] - sine * at[1] + self.shift[0],
+                sine * at[0] + cosine * at[1] + self.shift[1],
+            ];
+            // A rotation moves a point by at most its distance from the centre times the angle.
+            return (moved, self.translation + self.rotation * arm);
+        }
+        let at = [at[0] - self.shift[0], at[1] - self.shift[1]];
+        let moved = [cosine * at[0] + sine * at[1], cosine * at[1] - sine * at[0]];
+        (moved, self.translation + self.rotation * (norm(moved) + self.translation))
+    }
 }
 
 /// How a search among cells of one size ends.
@@ -62,34 +114,33 @@ impl Pair {
         let shared: Vec<Vec<Point>> = borders.iter().map(|border| puzzle.border_points(*border)).collect();
         let length: f64 = shared.iter().flat_map(|path| path.windows(2)).map(|p| distance(p[0], p[1])).sum();
         let spacing = (0.5 * width).max(length / POINTS as f64);
-        let mut points = [Vec::new(), Vec::new()];
-        let mut all: Vec<Point> = Vec::new();
-        for (path, border) in shared.iter().zip(borders) {
-            let first_is_left = puzzle.borders()[*border].left == pair[0];
-            all.extend(path);
-            for (on, across) in below(path, spacing) {
-                for (piece, sign) in [(usize::from(!first_is_left), 1.0), (usize::from(first_is_left), -1.0)]
-                {
-                    let depth = sign * 0.5 * (1.0 + ROUNDING) * width;
-                    let p = [0, 1].map(|k| on[k] + depth * across[k]);
-                    let own = &pieces[piece];
-                    if own.contains(p) && distance_to_outline(p, own) >= 0.5 * width {
-                        points[piece].push(p);
-                    }
-                }
-            }
-        }
+        let all: Vec<Point> = shared.iter().flatten().copied().collect();
         let n = all.len() as f64;
         let middle = [0, 1].map(|k| all.iter().map(|p| p[k]).sum::<f64>() / n);
         let size = all.iter().map(|p| distance(*p, middle)).fold(0.0, f64::max);
         // A point that has moved is at most this far from the middle of the border.
         let reach = (1.0 + REACH) * size + width;
-        let pieces = pieces.map(|outline| Depths::new(&outline, middle, reach, SQUARE * width));
-        (size > 0.0).then_some(Self { pieces, points, middle, size, width })
+        let mut pieces = pieces.map(|outline| Depths::new(&outline, middle, reach, SQUARE * width));
+        let mut points = [Vec::new(), Vec::new()];
+        for (path, border) in shared.iter().zip(borders) {
+            let first_is_left = puzzle.borders()[*border].left == pair[0];
+            for (on, across) in below(path, spacing) {
+                for (piece, sign) in [(usize::from(!first_is_left), 1.0), (usize::from(first_is_left), -1.0)]
+                {
+                    let depth = sign * 0.5 * (1.0 + ROUNDING) * width;
+                    let p = [0, 1].map(|k| on[k] + depth * across[k]);
+                    if pieces[piece].is_deeper(p, 0.5 * width) {
+                        points[piece].push(Probe::new([0, 1].map(|k| p[k] - middle[k])));
+                    }
+                }
+            }
+        }
+        let groups = [0, 1].map(|piece| grouped(&points[piece]));
+        (size > 0.0).then_some(Self { pieces, points, groups, middle, size, width })
     }
 
     /// Whether it is proven that no path separates the pieces, with cells of these sizes.
-    pub(super) fn holds(&self, cells: &[f64], control: &Control) -> bool {
+    pub(super) fn holds(&mut self, cells: &[f64], control: &Control) -> bool {
         for (i, cell) in cells.iter().enumerate() {
             if control.is_stopped() {
                 return false;
@@ -110,17 +161,17 @@ impl Pair {
     }
 
     /// A search among cells of a size. With `extent` 1 a cell is closed if all motions in it are; with 0 if that in its centre is.
-    fn search(&self, side: f64, extent: f64) -> Search {
+    fn search(&mut self, side: f64, extent: f64) -> Search {
         let turn = side / self.size;
         let reach = REACH * self.size;
-        let mut seen = HashSet::from([[0_i32; 3]]);
+        let mut seen = FxHashSet::from_iter([[0_i32; 3]]);
         // The farthest cell first, so that a path to the outside is found soon.
         let mut open = BinaryHeap::from([(0, [0_i32; 3])]);
-        let mut last = [0, 0];
+        let mut first = Vec::new();
         while let Some((_, cell)) = open.pop() {
             let [x, y, theta] = cell.map(f64::from);
             let (shift, angle) = ([side * x, side * y], turn * theta);
-            if self.is_closed(shift, angle, [extent * side, extent * turn], &mut last) {
+            if self.is_closed(shift, angle, [extent * side, extent * turn], &mut first) {
                 continue;
             }
             if libm::hypot(shift[0], shift[1]) > reach || angle.abs() > MOST_TURN {
@@ -142,40 +193,80 @@ impl Pair {
         Search::Enclosed
     }
 
-    /// Whether the pieces overlap at every motion in a cell of some side and turn. `last` caches the points that proved it for the previous cell.
-    fn is_closed(&self, shift: Point, angle: f64, [side, turn]: [f64; 2], last: &mut [usize; 2]) -> bool {
+    /// Whether the pieces overlap at every motion in a cell of some side and turn. Points that prove it are put `first`, for the next cells.
+    fn is_closed(
+        &mut self,
+        shift: Point,
+        angle: f64,
+        [side, turn]: [f64; 2],
+        first: &mut Vec<(usize, usize)>,
+    ) -> bool {
         let (sine, cosine) = libm::sincos(angle);
-        let own = 0.5 * (1.0 + ROUNDING) * self.width;
         let translation = side * std::f64::consts::FRAC_1_SQRT_2;
-        for piece in 0..2 {
-            let other = &self.pieces[1 - piece];
-            let n = self.points[piece].len();
-            for i in 0..n {
-                let i = (last[piece] + i) % n;
-                let p = self.points[piece][i];
-                let q = [0, 1].map(|k| p[k] - self.middle[k]);
-                let moved = if piece == 0 {
-                    [cosine * q[0] - sine * q[1] + shift[0], sine * q[0] + cosine * q[1] + shift[1]]
-                } else {
-                    let q = [q[0] - shift[0], q[1] - shift[1]];
-                    [cosine * q[0] + sine * q[1], cosine * q[1] - sine * q[0]]
-                };
-                // A rotation moves a point by at most its distance from the centre times the angle.
-                let arm = if piece == 0 {
-                    libm::hypot(q[0], q[1])
-                } else {
-                    libm::hypot(moved[0], moved[1]) + translation
-                };
-                let needed = own + translation + 0.5 * turn * arm;
-                let place = [0, 1].map(|k| moved[k] + self.middle[k]);
-                if other.is_deeper(place, needed) {
-                    last[piece] = i;
-                    return true;
-                }
+        let cell = Cell { shift, sine, cosine, translation, rotation: 0.5 * turn };
+        if let Some(known) = first.iter().position(|(piece, i)| self.is_inside(&cell, *piece, *i)) {
+            first[..=known].rotate_right(1);
+            return true;
+        }
+        let found = (0..2).find_map(|piece| Some((piece, self.first_inside(&cell, piece)?)));
+        if let Some(found) = found {
+            first.truncate(FIRST - 1);
+            first.insert(0, found);
+        }
+        found.is_some()
+    }
+
+    /// Whether a point of a piece lies in the other at every motion in a cell.
+    fn is_inside(&mut self, cell: &Cell, piece: usize, point: usize) -> bool {
+        let (moved, away) = cell.moved(piece, self.points[piece][point]);
+        let place = [moved[0] + self.middle[0], moved[1] + self.middle[1]];
+        self.pieces[1 - piece].is_deeper(place, self.lost() + away)
+    }
+
+    /// The first point of a piece that does.
+    fn first_inside(&mut self, cell: &Cell, piece: usize) -> Option<usize> {
+        for group in 0..self.groups[piece].len() {
+            let Group { middle, radius, points } = &self.groups[piece][group];
+            let (radius, points) = (*radius, points.clone());
+            let (moved, away) = cell.moved(piece, *middle);
+            let place = [moved[0] + self.middle[0], moved[1] + self.middle[1]];
+            // The arm of a point of the group is less than that of its middle by the radius at most.
+            let least = self.lost() + away - cell.rotation * radius;
+            if self.pieces[1 - piece].are_shallower(place, radius, least) {
+                continue;
+            }
+            if let Some(found) = points.into_iter().find(|i| self.is_inside(cell, piece, *i)) {
+                return Some(found);
             }
         }
-        false
+        None
     }
+
+    /// What each piece has lost to the cut.
+    fn lost(&self) -> f64 {
+        0.5 * (1.0 + ROUNDING) * self.width
+    }
+}
+
+impl Probe {
+    fn new(at: Point) -> Self {
+        Self { at, arm: norm(at) }
+    }
+}
+
+/// Consecutive points in groups.
+fn grouped(points: &[Probe]) -> Vec<Group> {
+    let starts = (0..points.len()).step_by(GROUP);
+    let group = |start: usize| {
+        let end = (start + GROUP).min(points.len());
+        let of = &points[start..end];
+        let middle = Probe::new([0, 1].map(|k| of.iter().map(|p| p.at[k]).sum::<f64>() / of.len() as f64));
+        let away = |p: &Probe| distance(p.at, middle.at);
+        // A hair more, which rounding may need.
+        let radius = of.iter().map(away).fold(0.0, f64::max) * (1.0 + 1e-9);
+        Group { middle, radius, points: start..end }
+    };
+    starts.map(group).collect()
 }
 
 /// Points along a path, its corners included, each with the offset vector to its left that has distance 1 from both adjacent sides.
@@ -202,6 +293,10 @@ fn below(path: &[Point], spacing: f64) -> Vec<(Point, Point)> {
         }));
     }
     found
+}
+
+fn norm(p: Point) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]).sqrt()
 }
 
 fn distance(a: Point, b: Point) -> f64 {
