@@ -1,6 +1,6 @@
 //! The report of a puzzle.
 
-use crate::lock::lock_until;
+use crate::lock::{is_locked_until, lock_until};
 use crate::{Fit, Kerf, Like, Lock, Motion, Neck, Packing, Proof, Puzzle};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, StopReason};
@@ -193,8 +193,7 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
     let mut timing = Timing { lock: started.elapsed(), ..Timing::default() };
     let started = Instant::now();
     let depth = found.is_locked().then(|| {
-        let holds =
-            |depth: &&f64| lock_until(&puzzle.simplified(**depth * puzzle.unit()), control).is_locked();
+        let holds = |depth: &&f64| is_locked_until(&puzzle.simplified(**depth * puzzle.unit()), control);
         DEPTHS.iter().take_while(holds).last().copied().unwrap_or(0.0)
     });
     timing.depth = started.elapsed();

@@ -39,15 +39,22 @@ impl Cone {
         if rows.iter().all(|row| dot(line, *row) == 0) {
             return Some(line);
         }
+        // The row that excluded the last candidate, and that for its opposite, probably exclude the next ones too.
+        let mut last = [0, 0];
         for (i, a) in rows.iter().enumerate() {
             for b in &rows[..i] {
                 let ray = cross(*a, *b);
                 if ray == [0; 3] {
                     continue;
                 }
-                for ray in [ray, ray.map(|x| -x)] {
-                    if rows.iter().all(|row| dot(ray, *row) >= 0) {
-                        return Some(ray);
+                for (ray, last) in [ray, ray.map(|x| -x)].into_iter().zip(&mut last) {
+                    let excludes = |row: &Row| dot(ray, *row) < 0;
+                    if excludes(&rows[*last]) {
+                        continue;
+                    }
+                    match rows.iter().position(excludes) {
+                        Some(row) => *last = row,
+                        None => return Some(ray),
                     }
                 }
             }

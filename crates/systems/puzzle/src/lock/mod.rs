@@ -12,7 +12,7 @@ use contacts::{rows, rows_of};
 use pompeiu_core::run::Control;
 use program::Verdict;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How it was decided whether a puzzle is locked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,13 +89,33 @@ pub fn lock(puzzle: &Puzzle) -> Lock {
 
 /// As [`lock`]. What is not decided when the control stops is reported as undecided; clusters and motions found by then are valid.
 pub(crate) fn lock_until(puzzle: &Puzzle, control: &Control) -> Lock {
+    verdict(puzzle, merged(puzzle, control), control)
+}
+
+/// Whether a puzzle is proven to be locked, as by [`lock`]; `false` where that needs multipliers that differ more than those of any known
+/// proof, or once the control stops.
+///
+/// # Cost
+/// Less than that of [`lock`] where a puzzle is free, because no motion is looked for.
+pub(crate) fn is_locked_until(puzzle: &Puzzle, control: &Control) -> bool {
+    let (clusters, count) = merged(puzzle, control);
+    if count == 1 {
+        return true;
+    }
+    let borders = borders_between(puzzle, &clusters, count);
+    let moves = |borders: (usize, &Vec<usize>)| alone(puzzle, &clusters, borders, control).is_some();
+    !borders.par_iter().enumerate().any(moves) && program::is_locked(puzzle, &clusters, count, control)
+}
+
+/// Merges clusters of which two hold each other until there are none; the cluster of each piece, and their number.
+fn merged(puzzle: &Puzzle, control: &Control) -> (Vec<usize>, usize) {
     let mut clusters: Vec<usize> = (0..puzzle.pieces()).collect();
-    let mut open: BTreeMap<[usize; 2], bool> = BTreeMap::new();
+    let mut open: BTreeSet<[usize; 2]> = BTreeSet::new();
     loop {
         let shared = shared_borders(puzzle, &clusters);
         // Pairs with unchanged borders need no second test.
         let changed: Vec<(&[usize; 2], &Vec<usize>)> =
-            shared.iter().filter(|(pair, _)| !open.contains_key(*pair)).collect();
+            shared.iter().filter(|(pair, _)| !open.contains(*pair)).collect();
         let is_locked: Vec<bool> = changed
             .par_iter()
             .map(|(pair, borders)| {
@@ -103,47 +123,54 @@ pub(crate) fn lock_until(puzzle: &Puzzle, control: &Control) -> Lock {
             })
             .collect();
         let mut parent: Vec<usize> = (0..puzzle.pieces()).collect();
-        let mut merged = false;
+        let mut is_grown = vec![false; puzzle.pieces()];
+        let mut has_merged = false;
         for ((pair, _), is_locked) in changed.iter().zip(is_locked) {
             if is_locked {
                 let [a, b] = pair.map(|c| root(&mut parent, c));
                 parent[a.max(b)] = a.min(b);
-                merged = true;
+                is_grown[pair[0]] = true;
+                is_grown[pair[1]] = true;
+                has_merged = true;
             } else {
-                open.insert(**pair, true);
+                open.insert(**pair);
             }
         }
-        if !merged || control.is_stopped() {
+        if !has_merged || control.is_stopped() {
             break;
         }
-        let touched: Vec<usize> =
-            (0..puzzle.pieces()).filter(|c| root(&mut parent.clone(), *c) != *c).collect();
-        let grown: Vec<usize> = touched.iter().map(|c| root(&mut parent, *c)).collect();
-        open.retain(|pair, _| pair.iter().all(|c| !touched.contains(c) && !grown.contains(c)));
+        open.retain(|pair| !pair.iter().any(|c| is_grown[*c]));
         for cluster in &mut clusters {
             *cluster = root(&mut parent, *cluster);
         }
     }
-    verdict(puzzle, &clusters, control)
+    numbered(&clusters)
 }
 
-/// The result once no two clusters hold each other pairwise.
-fn verdict(puzzle: &Puzzle, names: &[usize], control: &Control) -> Lock {
+/// Clusters numbered in the order of their names, and their number.
+fn numbered(names: &[usize]) -> (Vec<usize>, usize) {
     let mut order: Vec<usize> = names.to_vec();
     order.sort_unstable();
     order.dedup();
-    let count = order.len();
-    let clusters: Vec<usize> = names.iter().map(|name| order.partition_point(|other| other < name)).collect();
+    (names.iter().map(|name| order.partition_point(|other| other < name)).collect(), order.len())
+}
+
+/// The result once no two clusters hold each other pairwise.
+fn verdict(puzzle: &Puzzle, (clusters, count): (Vec<usize>, usize), control: &Control) -> Lock {
     let none = vec![None; puzzle.pieces()];
     if count == 1 {
         return Lock { clusters, count, proof: Proof::Merging, escape: None, alone: none };
     }
+    let borders = borders_between(puzzle, &clusters, count);
     let motions: Vec<Option<[f64; 3]>> =
-        (0..count).into_par_iter().map(|cluster| alone(puzzle, &clusters, cluster, control)).collect();
+        borders.par_iter().enumerate().map(|borders| alone(puzzle, &clusters, borders, control)).collect();
     let alone: Vec<Option<[f64; 3]>> = clusters.iter().map(|cluster| motions[*cluster]).collect();
     // The smallest cluster that can move is the clearest example.
-    let size = |cluster: usize| clusters.iter().filter(|c| **c == cluster).count();
-    if let Some(cluster) = (0..count).filter(|c| motions[*c].is_some()).min_by_key(|c| (size(*c), *c)) {
+    let mut sizes = vec![0_usize; count];
+    for cluster in &clusters {
+        sizes[*cluster] += 1;
+    }
+    if let Some(cluster) = (0..count).filter(|c| motions[*c].is_some()).min_by_key(|c| (sizes[*c], *c)) {
         let moves = |c: &usize| if *c == cluster { motions[cluster].unwrap_or_default() } else { [0.0; 3] };
         let escape = Some(Escape { twists: clusters.iter().map(moves).collect() });
         return Lock { clusters, count, proof: Proof::OneMoves, escape, alone };
@@ -172,6 +199,20 @@ fn shared_borders(puzzle: &Puzzle, clusters: &[usize]) -> BTreeMap<[usize; 2], V
     shared
 }
 
+/// For each cluster its borders with others, in order.
+fn borders_between(puzzle: &Puzzle, clusters: &[usize], count: usize) -> Vec<Vec<usize>> {
+    let mut found = vec![Vec::new(); count];
+    for (i, border) in puzzle.borders.iter().enumerate() {
+        let Some(right) = border.right else { continue };
+        let [a, b] = [clusters[border.left], clusters[right]];
+        if a != b {
+            found[a].push(i);
+            found[b].push(i);
+        }
+    }
+    found
+}
+
 /// Whether a border alone holds the two adjacent pieces together, exactly.
 pub(crate) fn holds(corners: &[[i64; 2]]) -> bool {
     let mut cone = Cone::default();
@@ -195,24 +236,23 @@ fn pair_cone(
     cone.motion()
 }
 
-/// A motion of a cluster while all others stay: velocity at the origin and angular velocity. None once the control stops.
-fn alone(puzzle: &Puzzle, clusters: &[usize], cluster: usize, control: &Control) -> Option<[f64; 3]> {
+/// A motion of a cluster with some borders while all others stay: velocity at the origin and angular velocity. None once the control
+/// stops.
+fn alone(
+    puzzle: &Puzzle,
+    clusters: &[usize],
+    (cluster, borders): (usize, &Vec<usize>),
+    control: &Control,
+) -> Option<[f64; 3]> {
     if control.is_stopped() {
         return None;
     }
+    let origin = puzzle.borders[*borders.first()?].corners[0];
     let mut cone = Cone::default();
-    let mut origin = None;
-    for (i, border) in puzzle.borders.iter().enumerate() {
-        let Some(right) = border.right else { continue };
-        let is_left = clusters[border.left] == cluster;
-        if is_left == (clusters[right] == cluster) {
-            continue;
-        }
-        let origin = *origin.get_or_insert(border.corners[0]);
-        let sign = if is_left { 1 } else { -1 };
-        cone.extend(rows(puzzle, i, origin).map(|row| row.map(|x| sign * x)));
+    for &border in borders {
+        let sign = if clusters[puzzle.borders[border].left] == cluster { 1 } else { -1 };
+        cone.extend(rows(puzzle, border, origin).map(|row| row.map(|x| sign * x)));
     }
-    let origin = origin?;
     cone.motion().map(|motion| from_steps(motion.map(|x| x as f64), origin, puzzle.step))
 }
 

@@ -38,6 +38,10 @@ const FEW: usize = 60;
 /// Largest closing of a contact relative to the largest opening, due to rounding of the projection.
 const ZERO: f64 = 1e-9;
 
+/// Largest difference of exponents, the logarithm of the ratio of multipliers, with which a proof of a lock is still expected. Those of known
+/// proofs differ by less than half of it.
+const EXPECTED: f64 = 30.0;
+
 /// Regularisation of the diagonal, relative to it.
 const SHIFT: f64 = 1e-13;
 
@@ -50,7 +54,7 @@ const SHIFT: f64 = 1e-13;
 ///
 /// Once the control stops, the verdict is unclear.
 pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &Control) -> Verdict {
-    match by_exponentials(puzzle, clusters, count, control) {
+    match by_exponentials(puzzle, clusters, count, f64::INFINITY, control) {
         Verdict::Unclear if count <= FEW && !control.is_stopped() => {
             least::motion(puzzle, clusters, count).map_or(Verdict::Unclear, Verdict::Moves)
         }
@@ -58,7 +62,19 @@ pub(super) fn solve(puzzle: &Puzzle, clusters: &[usize], count: usize, control: 
     }
 }
 
-fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &Control) -> Verdict {
+/// Whether positive multipliers prove that no motion is possible, with exponents that do not differ more than is [`EXPECTED`].
+pub(super) fn is_locked(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &Control) -> bool {
+    matches!(by_exponentials(puzzle, clusters, count, EXPECTED, control), Verdict::Locked)
+}
+
+/// Gives up where exponents differ by more than `most`.
+fn by_exponentials(
+    puzzle: &Puzzle,
+    clusters: &[usize],
+    count: usize,
+    most: f64,
+    control: &Control,
+) -> Verdict {
     let contacts = contacts(puzzle, clusters);
     let columns = 3 * (count - 1);
     let mut analysis = None;
@@ -69,6 +85,12 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &
             return Verdict::Unclear;
         }
         let exponents: Vec<f64> = contacts.iter().map(|c| opening(c, &x)).collect();
+        let ends = exponents
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(*z), high.max(*z)]);
+        if ends[1] - ends[0] > most {
+            return Verdict::Unclear;
+        }
         if round > 0 && round % LOOK == 0 {
             // If nothing moves, the twists converge; otherwise their change tends to a motion.
             let change: Vec<f64> = x.iter().zip(&before).map(|(now, then)| now - then).collect();
@@ -101,8 +123,7 @@ fn by_exponentials(puzzle: &Puzzle, clusters: &[usize], count: usize, control: &
     Verdict::Unclear
 }
 
-/// Solves with the weighted sum of outer products, regularised by a share of the largest weight on the diagonal. Its pattern is
-/// analysed once.
+/// Solves with the weighted sum of outer products, see [`factor`].
 fn solved(
     analysis: &mut Option<Analysis>,
     contacts: &[Contact],
@@ -111,6 +132,18 @@ fn solved(
     shift: f64,
     right: &[f64],
 ) -> Option<Vec<f64>> {
+    factor(analysis, contacts, weights, columns, shift)?.solve(right).ok()
+}
+
+/// The factor of the weighted sum of outer products, regularised by a share of the largest weight on the diagonal. Its pattern is
+/// analysed once.
+fn factor(
+    analysis: &mut Option<Analysis>,
+    contacts: &[Contact],
+    weights: &[f64],
+    columns: usize,
+    shift: f64,
+) -> Option<Cholesky> {
     let mut entries = square(contacts, weights);
     let largest = weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     entries.extend((0..columns).map(|k| (k, k, shift * largest)));
@@ -119,7 +152,7 @@ fn solved(
         Some(known) => known,
         none => none.insert(Analysis::new(&matrix, &Ordering::MinimumDegree).ok()?),
     };
-    Cholesky::with(analysis, &matrix).ok()?.solve(right).ok()
+    Cholesky::with(analysis, &matrix).ok()
 }
 
 /// The motion nearest to x that keeps contacts closed if they open by less than a share of the maximum; `None` if it closes others.
@@ -131,9 +164,10 @@ fn motion(analysis: &mut Option<Analysis>, contacts: &[Contact], closed: f64, x:
     let mut found: Vec<f64> = x.iter().map(|v| v / size).collect();
     // Each round reduces the opening of closed contacts by the regularisation factor.
     let shift = 1e-9;
+    let factor = factor(analysis, contacts, &weights, x.len(), shift)?;
     for _ in 0..3 {
         let right: Vec<f64> = found.iter().map(|v| shift * v).collect();
-        found = solved(analysis, contacts, &weights, x.len(), shift, &right)?;
+        found = factor.solve(&right).ok()?;
     }
     let openings = || contacts.iter().map(|c| opening(c, &found));
     let (least, most) =
@@ -151,8 +185,9 @@ fn slide(
 ) -> Option<Verdict> {
     let weights = vec![1.0; contacts.len()];
     let mut x: Vec<f64> = (0..columns).map(|k| libm::sin(1.0 + k as f64)).collect();
+    let factor = factor(analysis, contacts, &weights, columns, 1e-11)?;
     for _ in 0..4 {
-        x = solved(analysis, contacts, &weights, columns, 1e-11, &x)?;
+        x = factor.solve(&x).ok()?;
         let size = norm(&x);
         for v in &mut x {
             *v /= size;
