@@ -121,13 +121,15 @@ impl Sides {
             for side in 0..n {
                 let ends = [side, (side + 1) % n];
                 let is_new = is_changed || ends.iter().all(|end| changed.contains(end));
-                if !is_new || ends.contains(&corner) {
+                if !is_new || ends.contains(&corner) || self.is_beyond(side, p.at, width) {
                     continue;
                 }
                 let q = self.nearest(side, p.at);
+                if !self.is_locally_least(p, q) {
+                    continue;
+                }
                 let length = norm(minus(q.at, p.at));
                 let is_neck = length < width
-                    && self.is_locally_least(p, q)
                     && self.least_side(p, q) > least_part.min(2.0 * length * length)
                     && self.is_within(p, q);
                 if is_neck {
@@ -138,6 +140,12 @@ impl Sides {
             }
         }
         found
+    }
+
+    /// Whether the box around a side alone shows that a point is not nearer to it than a width.
+    fn is_beyond(&self, side: usize, p: Point, width: f64) -> bool {
+        let (a, b) = (self.points[side], self.points[(side + 1) % self.points.len()]);
+        (0..2).any(|k| p[k] - a[k].max(b[k]) > width || a[k].min(b[k]) - p[k] > width)
     }
 
     /// The point of a side nearest to a point.
@@ -176,7 +184,8 @@ impl Sides {
         let away = minus(here, q);
         [(corner + n - 1) % n, (corner + 1) % n].into_iter().all(|other| {
             let along = minus(self.points[other], here);
-            dot(along, away) >= -PARALLEL * norm(along) * norm(away)
+            let ahead = dot(along, away);
+            ahead >= 0.0 || ahead * ahead <= PARALLEL * PARALLEL * dot(along, along) * dot(away, away)
         })
     }
 
