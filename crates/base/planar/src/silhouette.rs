@@ -72,7 +72,7 @@ pub enum SilhouetteError {
 /// The picture is surrounded by background. The default level is the one that separates the levels best (`otsu_threshold_1979`).
 ///
 /// The outline of a picture of two levels is the smoothest curve within half a pixel of the sides of its pixels, with
-/// corners where straight sides meet; that of a picture with levels between, as anti-aliasing makes them, is the
+/// corners where straight sides meet within that distance; that of a picture with levels between, as anti-aliasing makes them, is the
 /// smoothest within 0.15 pixels of where the level is between the centres of pixels.
 ///
 /// # Accuracy
@@ -81,6 +81,10 @@ pub enum SilhouetteError {
 /// all. The total curvature of curves with bends narrower than some pixels is off by more, and
 /// so is the compactness of thin tips, bars and teeth. A detail of less than half a pixel is lost: a dent of half a pixel in a straight side is not
 /// in the outline.
+///
+/// A picture of two levels leaves such values open. A gear of 14 teeth, 120 pixels across, whose sides are 9 to 11 pixels long, and the shortest
+/// curve around its pixels have the same picture, pixel for pixel; the compactness of the curve is 15 % greater. Where two corners are nearer to
+/// each other than some ten pixels, both may come out round.
 ///
 /// # Source
 /// `sloboda_minimum_1998` for the shortest curve, from which the smoothest one is sought.

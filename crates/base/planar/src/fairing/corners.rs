@@ -1,8 +1,9 @@
 //! Corners of a smooth curve: sharp bends between straight sides, which smoothing has rounded.
 
+use super::gates::Gate;
 use super::relax::{Frame, Station};
-use crate::Point;
 use crate::outline::{cross, distance, dot, minus};
+use crate::{Point, segments_meet};
 use std::f64::consts::PI;
 
 /// Curvature, per pixel, from which on a bend is sharp.
@@ -35,29 +36,59 @@ const REACH: [f64; 2] = [0.75, 1.0];
 /// How far it may lie from that at most, in pixels: a longer tip is more likely to be the round end of a thin part.
 const FARTHEST: f64 = 4.0;
 
+/// How far outside its gate a side may pass beside a corner, in pixels: a corner covers less than half of a pixel whose centre lies in it.
+const OUTSIDE: f64 = 0.35;
+
+/// Bends of a curve that may be corners.
+pub(super) struct Bends {
+    /// The straightest station, so that no bend goes round the end of the list.
+    start: usize,
+    /// The first and last station of each that is taken out, counted from there.
+    spans: Vec<(usize, usize)>,
+}
+
+impl Bends {
+    /// The bends of a curve that may lie `room` pixels to both sides of where it is.
+    pub(super) fn of(stations: &[Station], room: f64) -> Self {
+        let frame = Frame::of(stations);
+        let by_curvature =
+            |i: &usize, j: &usize| frame.curvature(*i).abs().total_cmp(&frame.curvature(*j).abs());
+        let start = (0..stations.len()).min_by(by_curvature).unwrap_or(0);
+        Self { start, spans: spans(&frame, start, room) }
+    }
+
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.spans.is_empty()
+    }
+
+    /// Keeps those for which `is_kept` has true in its place.
+    pub(super) fn retain(&mut self, is_kept: &[bool]) {
+        let mut is_kept = is_kept.iter();
+        self.spans.retain(|_| is_kept.next().copied().unwrap_or(false));
+    }
+}
+
 /// A corner that was taken out of the curve.
 pub(super) struct Corner {
     /// The station before it.
     after: usize,
-    /// The points that were there.
-    old: Vec<Point>,
+    /// The stations that were there.
+    old: Vec<Station>,
 }
 
-/// Takes the stations at corners out of the curve, which may lie `room` pixels to both sides of where it is; the stations beside them become free.
-pub(super) fn open(stations: &[Station], room: f64) -> (Vec<Station>, Vec<Corner>) {
-    let frame = Frame::of(stations);
+/// Takes the stations at bends out of the curve; the stations beside them become free.
+pub(super) fn open(stations: &[Station], bends: &Bends) -> (Vec<Station>, Vec<Corner>) {
     let n = stations.len();
-    let by_curvature = |i: &usize, j: &usize| frame.curvature(*i).abs().total_cmp(&frame.curvature(*j).abs());
-    // From the straightest place on, so that no bend goes round the end of the list.
-    let start = (0..n).min_by(by_curvature).unwrap_or(0);
-    let mut spans = spans(&frame, start, room).into_iter().peekable();
+    let start = bends.start;
+    let mut spans = bends.spans.iter().copied().peekable();
     let mut kept: Vec<Station> = Vec::with_capacity(n);
     let mut corners = Vec::new();
     let (mut k, mut is_after) = (0, false);
     while k < n {
         if let (Some((_, to)), Some(last)) = (spans.next_if(|(from, _)| *from == k), kept.last_mut()) {
             last.is_free = true;
-            let old = (k..=to).map(|q| stations[(start + q) % n].at).collect();
+            let old = (k..=to).map(|q| stations[(start + q) % n].clone()).collect();
             corners.push(Corner { after: kept.len() - 1, old });
             is_after = true;
             k = to + 1;
@@ -142,16 +173,16 @@ fn is_corner(frame: &Frame, (from, to): (usize, usize), room: f64, at: impl Fn(u
         && is_straight(flank(at(to), true))
 }
 
-/// The points of the curve, with the corners where the sides meet, or with what was there where they do not meet near by.
-pub(super) fn with_corners(stations: &[Station], corners: &[Corner]) -> Vec<Point> {
+/// The points of the curve, with those at corners, as [`meeting`] finds them; where it finds none, those that were there.
+pub(super) fn with_corners(stations: &[Station], corners: &[Corner], places: &[Option<Point>]) -> Vec<Point> {
     let mut points = Vec::with_capacity(stations.len() + corners.len());
-    let mut corners = corners.iter().peekable();
+    let mut corners = corners.iter().zip(places).peekable();
     for (i, station) in stations.iter().enumerate() {
         points.push(station.at);
-        if let Some(corner) = corners.next_if(|corner| corner.after == i) {
-            match meeting(stations, corner) {
-                Some(place) => points.push(place),
-                None => points.extend(&corner.old),
+        if let Some((corner, place)) = corners.next_if(|(corner, _)| corner.after == i) {
+            match place {
+                Some(place) => points.push(*place),
+                None => points.extend(corner.old.iter().map(|station| station.at)),
             }
         }
     }
@@ -159,7 +190,7 @@ pub(super) fn with_corners(stations: &[Station], corners: &[Corner]) -> Vec<Poin
 }
 
 /// Where the sides before and after a corner meet.
-fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
+pub(super) fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
     let n = stations.len();
     let (before, after) = (corner.after, (corner.after + 1) % n);
     let back = |from: usize, step: usize| {
@@ -183,8 +214,32 @@ fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
         return None;
     }
     let place = [0, 1].map(|k| a[k] + forwards * u[k]);
-    let off = corner.old.iter().map(|p| distance(*p, place)).fold(f64::INFINITY, f64::min);
+    let off = corner.old.iter().map(|station| distance(station.at, place)).fold(f64::INFINITY, f64::min);
     let sine = libm::sin(0.5 * (PI - turn));
     let [of_tip, of_blunt] = REACH;
-    (off <= FARTHEST && off * sine <= of_tip + (of_blunt - of_tip) * sine).then_some(place)
+    let is_near = off <= FARTHEST && off * sine <= of_tip + (of_blunt - of_tip) * sine;
+    let is_beside = |gate: &Gate| apart(gate, a, place).min(apart(gate, place, b)) <= OUTSIDE;
+    let is_within = || corner.old.iter().flat_map(|station| &station.gates).all(is_beside);
+    (is_near && is_within()).then_some(place)
+}
+
+/// The distance of a gate from a segment.
+fn apart(gate: &Gate, a: Point, b: Point) -> f64 {
+    if segments_meet([gate.left, gate.right], [a, b]) {
+        return 0.0;
+    }
+    let ends = [gate.left, gate.right].map(|p| from_segment(p, a, b));
+    [a, b]
+        .map(|p| from_segment(p, gate.left, gate.right))
+        .into_iter()
+        .chain(ends)
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// The distance of a point from a segment.
+fn from_segment(p: Point, a: Point, b: Point) -> f64 {
+    let (along, away) = (minus(b, a), minus(p, a));
+    let square = dot(along, along);
+    let t = if square > 0.0 { (dot(away, along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    distance(p, [0, 1].map(|k| a[k] + t * along[k]))
 }

@@ -142,4 +142,28 @@ mod tests {
         let expected: f64 = hull.iter().zip(hull.iter().cycle().skip(1)).map(|(a, b)| distance(*a, *b)).sum();
         assert!(length > expected && length < expected + 0.1, "{length} {expected}");
     }
+
+    #[test]
+    fn a_picture_leaves_open_how_long_teeth_of_a_few_pixels_are() {
+        // A gear of 14 teeth, 120 pixels across, with sides of 9 to 11 pixels.
+        let at = |i: usize| {
+            let (share, radius) = [(0.04, 49.2), (0.14, 60.0), (0.46, 60.0), (0.56, 49.2)][i % 4];
+            let angle = std::f64::consts::TAU * ((i / 4) as f64 + share) / 14.0 + 0.4;
+            [64.0 + radius * libm::cos(angle), 64.0 + radius * libm::sin(angle)]
+        };
+        let gear = crate::Outline::new((0..56).map(at).collect()).unwrap();
+        let n = 128;
+        let levels = |outline: &crate::Outline| -> Vec<f32> {
+            let is_inside = |i: usize| outline.contains([(i % n) as f64, (i / n) as f64]);
+            (0..n * n).map(|i| f32::from(u8::from(is_inside(i)))).collect()
+        };
+        let picture = levels(&gear);
+        let found = staircases(&picture, n, 0.5);
+        let shortest = crate::Outline::new(shortest(&gates(&found[0].points, |_, _| None))).unwrap();
+        // Each pixel lies on the same side of both.
+        assert_eq!(levels(&shortest), picture);
+        let compactness = |outline: &crate::Outline| outline.area() / outline.length().powi(2);
+        let open = compactness(&shortest) / compactness(&gear) - 1.0;
+        assert!(open > 0.1, "{open}");
+    }
 }

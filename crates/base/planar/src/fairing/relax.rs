@@ -1,6 +1,6 @@
 //! Moving the points of a curve along its normals to where it bends least.
 
-use super::banded::{Row, solve};
+use super::banded::solve;
 use super::gates::{Gate, shortest};
 use crate::Point;
 use crate::outline::{cross, distance, dot, minus};
@@ -21,12 +21,26 @@ const SMALL: f64 = 1e-4;
 /// How far a point may move at least and at most, in pixels, where a gate leaves less or more.
 const ROOM: [f64; 2] = [0.01, 1.0];
 
+/// The cost of the variation of curvature, in square pixels, relative to that of curvature.
+const VARIATION: f64 = 100.0;
+
+/// What costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cost {
+    /// Curvature.
+    Bending,
+    /// Curvature, of which more costs little where it is large.
+    Corners,
+    /// How curvature changes along the curve; little where it is large.
+    Variation,
+}
+
 /// A point of the curve.
 #[derive(Clone, Debug)]
 pub(super) struct Station {
     pub(super) at: Point,
     /// The gates that are crossed here.
-    gates: Vec<Gate>,
+    pub(super) gates: Vec<Gate>,
     /// Whether a turn costs nothing here, because a corner is beside it.
     pub(super) is_free: bool,
 }
@@ -88,21 +102,18 @@ impl Frame {
 }
 
 /// Moves the stations along their normals by Newton's method, with a barrier of some weight at the ends of the gates. Curvature is taken as
-/// linear in the shifts; its cost as the parabola that touches it from above, so that each step goes down.
-pub(super) fn relax(stations: &mut [Station], weight: f64, keeps_corners: bool) {
+/// linear in the shifts; the cost as the parabola that touches it from above, so that each step goes down.
+pub(super) fn relax(stations: &mut [Station], weight: f64, cost: Cost) {
     let frame = Frame::of(stations);
     let limits: Vec<[f64; 2]> = stations.iter().zip(&frame.normals).map(|(s, n)| limits(s, *n)).collect();
     let mut shifts = vec![0.0; stations.len()];
     for _ in 0..STEPS {
-        let (mut rows, mut step) = bending(stations, &frame, &shifts, keeps_corners);
-        for (i, [low, high]) in limits.iter().enumerate() {
-            let (below, above) = (shifts[i] - low, high - shifts[i]);
-            step[i] += weight * (1.0 / below - 1.0 / above);
-            rows[i][0] += weight * (1.0 / (below * below) + 1.0 / (above * above));
-        }
-        if !solve(&rows, &mut step) {
-            break;
-        }
+        let step = match cost {
+            Cost::Bending => step(bending(stations, &frame, &shifts, false), &shifts, &limits, weight),
+            Cost::Corners => step(bending(stations, &frame, &shifts, true), &shifts, &limits, weight),
+            Cost::Variation => step(variation(stations, &frame, &shifts), &shifts, &limits, weight),
+        };
+        let Some(step) = step else { break };
         // Nine tenths of the way to the first limit at most.
         let mut share: f64 = 1.0;
         for (i, [low, high]) in limits.iter().enumerate() {
@@ -125,6 +136,24 @@ pub(super) fn relax(stations: &mut [Station], weight: f64, keeps_corners: bool) 
     }
 }
 
+/// Second derivatives of a cost by the shifts, each by its own, the next, and so on, and the downward gradient.
+type Derivatives<const COUPLED: usize> = (Vec<[f64; COUPLED]>, Vec<f64>);
+
+/// Newton's step for a cost with the barrier added; none where the system has no solution.
+fn step<const COUPLED: usize>(
+    (mut rows, mut step): Derivatives<COUPLED>,
+    shifts: &[f64],
+    limits: &[[f64; 2]],
+    weight: f64,
+) -> Option<Vec<f64>> {
+    for (i, [low, high]) in limits.iter().enumerate() {
+        let (below, above) = (shifts[i] - low, high - shifts[i]);
+        step[i] += weight * (1.0 / below - 1.0 / above);
+        rows[i][0] += weight * (1.0 / (below * below) + 1.0 / (above * above));
+    }
+    solve(&rows, &mut step).then_some(step)
+}
+
 /// How far a station may move along its normal.
 fn limits(station: &Station, normal: Point) -> [f64; 2] {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -137,10 +166,10 @@ fn limits(station: &Station, normal: Point) -> [f64; 2] {
     [low.clamp(-most, -least), high.clamp(least, most)]
 }
 
-/// The second derivatives of the cost of bending by the shifts, and its downward gradient.
-fn bending(stations: &[Station], frame: &Frame, shifts: &[f64], keeps_corners: bool) -> (Vec<Row>, Vec<f64>) {
+/// The derivatives of the cost of bending.
+fn bending(stations: &[Station], frame: &Frame, shifts: &[f64], keeps_corners: bool) -> Derivatives<3> {
     let n = stations.len();
-    let (mut rows, mut gradient): (Vec<Row>, _) = (vec![[0.0; 3]; n], vec![0.0; n]);
+    let (mut rows, mut gradient) = (vec![[0.0; 3]; n], vec![0.0; n]);
     for i in 0..n {
         let at = [(i + n - 1) % n, i, (i + 1) % n];
         let (before, after) = (frame.lengths[at[0]], frame.lengths[i]);
@@ -157,6 +186,41 @@ fn bending(stations: &[Station], frame: &Frame, shifts: &[f64], keeps_corners: b
             gradient[at[j]] -= weight * turn * change[j];
             for m in j..3 {
                 rows[at[j]][m - j] += weight * change[j] * change[m];
+            }
+        }
+    }
+    (rows, gradient)
+}
+
+/// The derivatives of the cost of variation.
+fn variation(stations: &[Station], frame: &Frame, shifts: &[f64]) -> Derivatives<4> {
+    let n = stations.len();
+    let (mut rows, mut gradient) = (vec![[0.0; 4]; n], vec![0.0; n]);
+    // How the curvature at a station changes with the shifts of the one before, its own, and the next.
+    let change = |i: usize| {
+        let (before, after) = (frame.lengths[(i + n - 1) % n], frame.lengths[i]);
+        [1.0 / before, -1.0 / before - 1.0 / after, 1.0 / after].map(|x| x / frame.length_at(i))
+    };
+    let curvature = |i: usize| {
+        let shift = |j: usize| shifts[(i + n + j - 1) % n];
+        frame.curvature(i) + change(i).iter().enumerate().map(|(j, x)| x * shift(j)).sum::<f64>()
+    };
+    let curvatures: Vec<f64> = (0..n).map(curvature).collect();
+    for i in 0..n {
+        let next = (i + 1) % n;
+        if stations[i].is_free || stations[next].is_free {
+            continue;
+        }
+        let (a, b) = (change(i), change(next));
+        let change = [-a[0], b[0] - a[1], b[1] - a[2], b[2]];
+        let jump = curvatures[next] - curvatures[i];
+        let relative = 0.5 * (curvatures[next].abs() + curvatures[i].abs()) / CORNER;
+        let weight = VARIATION / (frame.lengths[i] * (1.0 + relative * relative));
+        for j in 0..4 {
+            let at = (i + n + j - 1) % n;
+            gradient[at] -= weight * jump * change[j];
+            for m in j..4 {
+                rows[at][m - j] += weight * change[j] * change[m];
             }
         }
     }
