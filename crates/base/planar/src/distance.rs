@@ -1,7 +1,7 @@
 //! Distances between points, segments and outlines.
 
 use crate::outline::{distance, dot, minus};
-use crate::{Outline, Point};
+use crate::{Outline, Point, segments_meet};
 
 /// The width of the enclosure of a distance, relative to the joint diagonal.
 const WIDTH: f64 = 1e-9;
@@ -17,6 +17,15 @@ pub(crate) fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
     let norm_sq = dot(u, u);
     let t = if norm_sq > 0.0 { (dot(u, v) / norm_sq).clamp(0.0, 1.0) } else { 0.0 };
     distance(p, [a[0] + t * u[0], a[1] + t * u[1]])
+}
+
+/// The distance between two segments.
+pub(crate) fn distance_between_segments(s: [Point; 2], t: [Point; 2]) -> f64 {
+    if segments_meet(s, t) {
+        return 0.0;
+    }
+    let [of_s, of_t] = [s.map(|p| distance_to_segment(p, t)), t.map(|p| distance_to_segment(p, s))];
+    of_s.into_iter().chain(of_t).fold(f64::INFINITY, f64::min)
 }
 
 /// The Pompeiu–Hausdorff distance between two curves, of all their points and not of corners only.

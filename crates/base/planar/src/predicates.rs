@@ -26,8 +26,16 @@ pub fn orientation(a: Point, b: Point, c: Point) -> Turn {
     }
 }
 
+/// Whether the boxes around two segments have a point in common.
+pub(crate) fn boxes_meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    (0..2).all(|k| a[k].max(b[k]) >= c[k].min(d[k]) && c[k].max(d[k]) >= a[k].min(b[k]))
+}
+
 /// Whether two closed segments have a point in common, decided exactly.
 pub fn segments_meet([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    if !boxes_meet([a, b], [c, d]) {
+        return false;
+    }
     let (abc, abd) = (orientation(a, b, c), orientation(a, b, d));
     let (cda, cdb) = (orientation(c, d, a), orientation(c, d, b));
     if abc != abd && cda != cdb && [abc, abd, cda, cdb].iter().all(|t| *t != Turn::Straight) {

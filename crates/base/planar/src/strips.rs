@@ -2,6 +2,7 @@
 
 use crate::Point;
 use crate::outline::{cross, minus};
+use crate::predicates::boxes_meet;
 
 /// The sides of a closed curve in strips of equal height.
 pub(crate) struct Strips<'c> {
@@ -48,16 +49,12 @@ impl<'c> Strips<'c> {
         let mut found = Vec::new();
         for (strip, sides) in self.sides.iter().enumerate() {
             for (k, &i) in sides.iter().enumerate() {
-                let [a, b] = side(i);
                 for &j in &sides[k + 1..] {
                     // Of the strips of both, a pair counts in the first.
                     if strip != spans[i].0.max(spans[j].0) || j == i + 1 || (i == 0 && j == n - 1) {
                         continue;
                     }
-                    let [c, d] = side(j);
-                    let is_apart =
-                        |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
-                    if !is_apart(0) && !is_apart(1) {
+                    if boxes_meet(side(i), side(j)) {
                         found.push([i, j]);
                     }
                 }

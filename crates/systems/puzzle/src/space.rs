@@ -72,12 +72,8 @@ impl Space {
 }
 
 fn meet(a: [Corner; 2], b: [Corner; 2]) -> bool {
-    let is_apart =
-        |k: usize| a[0][k].max(a[1][k]) < b[0][k].min(b[1][k]) || b[0][k].max(b[1][k]) < a[0][k].min(a[1][k]);
     // Integers below 2^53 are exact as doubles.
-    !is_apart(0)
-        && !is_apart(1)
-        && segments_meet(a.map(|p| p.map(|x| x as f64)), b.map(|p| p.map(|x| x as f64)))
+    segments_meet(a.map(|p| p.map(|x| x as f64)), b.map(|p| p.map(|x| x as f64)))
 }
 
 /// Whether two segments with a common end overlap.

@@ -3,7 +3,7 @@
 use super::flips::hinge;
 use super::local::{Fan, Local, distance_from, flipped, least_sine, middle};
 use super::marked::Hold;
-use super::samples::{Sample, reached};
+use super::samples::{Reached, Sample, reached};
 use super::triangle::Triangle;
 use glam::DVec3;
 use pompeiu_core::MeshError;
@@ -64,9 +64,9 @@ impl Local<'_> {
         let places = (PLACES * self.surface.mesh.face_count() as f64) as usize + MORE_PLACES;
         for _ in 0..ROUNDS {
             let found = reached(self.surface, &samples)?;
-            let distances = found.iter().map(|found| found.distance);
             let mut heights = self.heights(&faces);
-            let all = distances.clone().chain(heights.iter().map(|x| x.distance));
+            let distances = found.iter().map(|found| found.distance);
+            let all = distances.chain(heights.iter().map(|x| x.distance));
             let worst = all.fold(0.0, |most, x| if x > most { x } else { most });
             let mut far: Vec<Far> = found
                 .iter()
@@ -81,23 +81,11 @@ impl Local<'_> {
             let corners = heights.iter().map(|x| self.surface.mesh.corners(x.face));
             let mut points: Points =
                 far.iter().map(|x| x.face).chain(corners).flatten().map(|v| (v, Vec::new())).collect();
-            let mut is_beside = Vec::with_capacity(samples.len());
-            for (found, sample) in found.iter().zip(&samples) {
-                let mut is_one = false;
-                for v in found.face {
-                    if let Some(own) = points.get_mut(&v) {
-                        own.push(sample.position);
-                        is_one = true;
-                    }
-                }
-                is_beside.push(is_one);
-            }
+            samples = handed_out(&samples, &found, &mut points);
             let touched = self.lower_each(&far, &heights, &points, worst, places);
             if touched.is_empty() {
                 break;
             }
-            let mut is_beside = is_beside.into_iter();
-            samples.retain(|_| is_beside.next().unwrap_or(false));
             faces = heights.into_iter().map(|x| x.face).chain(touched).collect();
             faces.sort_unstable();
             faces.dedup();
@@ -224,6 +212,22 @@ impl Local<'_> {
         touched.extend(self.surface.mesh.halfedges_from(v).map(|h| h / 3));
         true
     }
+}
+
+/// Adds samples to the points of those vertices of the faces nearest to them that are among `points`; returns the samples that were added to some.
+fn handed_out(samples: &[Sample], found: &[Reached], points: &mut Points) -> Vec<Sample> {
+    let mut beside = Vec::new();
+    for (sample, found) in samples.iter().zip(found) {
+        let mut is_beside = false;
+        for v in found.face {
+            if let Some(own) = points.get_mut(&v) {
+                own.push(sample.position);
+                is_beside = true;
+            }
+        }
+        beside.extend(is_beside.then_some(*sample));
+    }
+    beside
 }
 
 /// Whether the least angle of faces is not less than that of others, or no small one.

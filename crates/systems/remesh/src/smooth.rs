@@ -102,11 +102,11 @@ pub(super) fn relaxed(surface: &Marked, rings: &Rings, v: u32) -> Move {
         return still;
     }
     let p = still.position;
-    let position = match surface.hold[v as usize] {
-        Hold::Corner => p,
-        Hold::Curve(_) => along_curve(surface, v).unwrap_or(p),
-        Hold::Free if rings.folds[v as usize] != Fold::None => rings.folds[v as usize].relaxed(surface, v),
-        Hold::Free => {
+    let position = match (surface.hold[v as usize], rings.folds[v as usize]) {
+        (Hold::Corner, _) => p,
+        (Hold::Curve(_), _) => along_curve(surface, v).unwrap_or(p),
+        (Hold::Free, fold @ (Fold::Along(_) | Fold::Tip)) => fold.relaxed(surface, v),
+        (Hold::Free, Fold::None) => {
             let ring = rings.around(v);
             let (mut sum, mut normal) = (DVec3::ZERO, DVec3::ZERO);
             let mut before = ring.last().map_or(p, |w| mesh.positions[*w as usize]) - p;

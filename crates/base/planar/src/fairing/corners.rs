@@ -2,8 +2,9 @@
 
 use super::gates::Gate;
 use super::relax::{Frame, Station};
+use crate::Point;
+use crate::distance::distance_between_segments;
 use crate::outline::{cross, distance, dot, minus};
-use crate::{Point, segments_meet};
 use std::f64::consts::PI;
 
 /// Curvature, per pixel, from which on a bend is sharp.
@@ -218,28 +219,10 @@ pub(super) fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
     let sine = libm::sin(0.5 * (PI - turn));
     let [of_tip, of_blunt] = REACH;
     let is_near = off <= FARTHEST && off * sine <= of_tip + (of_blunt - of_tip) * sine;
-    let is_beside = |gate: &Gate| apart(gate, a, place).min(apart(gate, place, b)) <= OUTSIDE;
+    let sides = [[a, place], [place, b]];
+    let is_beside = |gate: &Gate| {
+        sides.iter().any(|side| distance_between_segments([gate.left, gate.right], *side) <= OUTSIDE)
+    };
     let is_within = || corner.old.iter().flat_map(|station| &station.gates).all(is_beside);
     (is_near && is_within()).then_some(place)
-}
-
-/// The distance of a gate from a segment.
-fn apart(gate: &Gate, a: Point, b: Point) -> f64 {
-    if segments_meet([gate.left, gate.right], [a, b]) {
-        return 0.0;
-    }
-    let ends = [gate.left, gate.right].map(|p| from_segment(p, a, b));
-    [a, b]
-        .map(|p| from_segment(p, gate.left, gate.right))
-        .into_iter()
-        .chain(ends)
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// The distance of a point from a segment.
-fn from_segment(p: Point, a: Point, b: Point) -> f64 {
-    let (along, away) = (minus(b, a), minus(p, a));
-    let square = dot(along, along);
-    let t = if square > 0.0 { (dot(away, along) / square).clamp(0.0, 1.0) } else { 0.0 };
-    distance(p, [0, 1].map(|k| a[k] + t * along[k]))
 }

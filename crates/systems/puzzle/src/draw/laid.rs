@@ -77,10 +77,7 @@ impl Laid {
                     && (0..moved[a].len()).any(|i| {
                         let side = sides(&moved[a], i);
                         !is_apart(side, bounds[b])
-                            && (0..moved[b].len()).any(|k| {
-                                let other = sides(&moved[b], k);
-                                !is_apart(side, other) && segments_meet(side, other)
-                            })
+                            && (0..moved[b].len()).any(|k| segments_meet(side, sides(&moved[b], k)))
                     })
             })
         })
