@@ -54,10 +54,9 @@ impl Observer for Watching<'_> {
             Direction::AToB => ("a_to_b", "A to B"),
             Direction::BToA => ("b_to_a", "B to A"),
         };
-        let all = progress.examined.saturating_add(progress.left).max(1);
         self.0.told(&Told {
             doing,
-            share: Some(progress.examined as f64 / all as f64),
+            share: Some(progress.share),
             direction: Some(direction),
             bounds: Some([progress.lower, progress.upper]),
         })

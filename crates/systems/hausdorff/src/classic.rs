@@ -144,13 +144,8 @@ pub(crate) fn search(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direc
             );
             true
         }) {}
-        let progress = Progress {
-            direction: question.direction,
-            lower: frame.length_out(lower),
-            upper: frame.length_out(upper),
-            examined: work.pieces,
-            left: pieces.len() as u64,
-        };
+        let bounds = [lower, upper].map(|length| frame.length_out(length));
+        let progress = Progress::new(question.direction, bounds, work.pieces, pieces.len() as u64);
         if observer.progress(&progress) == ControlFlow::Break(()) {
             control.stop(StopReason::Cancelled);
         }

@@ -18,6 +18,22 @@ pub struct Progress {
     pub examined: u64,
     /// Faces and pieces known to be left; cutting adds to them.
     pub left: u64,
+    /// About the share of the call that is done, between 0 and 1: of a deviation all stages of all directions, else what was examined as a
+    /// share of what is known. It says nothing of time, and can fall where cutting adds pieces.
+    pub share: f64,
+}
+
+impl Progress {
+    /// With the share of what is known to be there that was examined.
+    pub(crate) fn new(direction: Direction, [lower, upper]: [f64; 2], examined: u64, left: u64) -> Self {
+        let share = examined as f64 / examined.saturating_add(left).max(1) as f64;
+        Self { direction, lower, upper, examined, left, share }
+    }
+
+    /// The same as a stage that takes a call from one share to another.
+    pub(crate) fn as_stage(self, [from, to]: [f64; 2]) -> Self {
+        Self { share: from + self.share * (to - from), ..self }
+    }
 }
 
 /// Why no point of a discarded piece is farther from B than its bound.

@@ -38,7 +38,8 @@ impl DeviationOptions<'_> {
             let room = self.limits.memory.map(|most| memory::room(most, a, b, 0));
             let pair = PreparedPair::for_one_question(a, b);
             let [to_b, _] = self.wants_signs(a, b);
-            self.one_direction(&pair, Direction::AToB, self.deadline(1), room, to_b.as_deref()).report
+            self.one_direction(&pair, (Direction::AToB, [0.0, 1.0]), self.deadline(1), room, to_b.as_deref())
+                .report
         }))
     }
 
@@ -71,9 +72,9 @@ impl DeviationOptions<'_> {
         let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
         let first = both.map(|(there, back)| there.min(back) / 2);
         let [to_b, to_a] = self.wants_signs(a, b);
-        let there = self.one_direction(pair, Direction::AToB, half, first, to_b.as_deref());
+        let there = self.one_direction(pair, (Direction::AToB, [0.0, 0.5]), half, first, to_b.as_deref());
         let rest = room(b_part, a, there.bytes() + pair.bytes());
-        let back = self.one_direction(pair, Direction::BToA, whole, rest, to_a.as_deref());
+        let back = self.one_direction(pair, (Direction::BToA, [0.5, 1.0]), whole, rest, to_a.as_deref());
         let mut deviation = self.both(a, b, there, back);
         let [there, back] = [&mut deviation.a_to_b, &mut deviation.b_to_a];
         if !self.signed && (there.sides.is_none() || back.sides.is_none()) {
@@ -129,10 +130,11 @@ impl DeviationOptions<'_> {
         }
     }
 
+    /// A direction, which takes the call from one share of it to another.
     fn one_direction(
         &self,
         prepared: &PreparedPair<'_>,
-        direction: Direction,
+        (direction, share): (Direction, [f64; 2]),
         deadline: Option<Instant>,
         room: Option<usize>,
         signed: Option<&[[u32; 2]]>,
@@ -160,7 +162,7 @@ impl DeviationOptions<'_> {
         }
         let target = prepared.target(direction, frame);
         let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, prepared, deadline, room, signed };
+        let pair = Pair { from, to, target: &target, direction, share, prepared, deadline, room, signed };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome

@@ -129,7 +129,7 @@ impl<'t> Inside<'t> {
     fn divide(&mut self, mesh: &TriMesh, neighbours: &[[u32; 2]], intersects: &[bool]) -> Vec<Vec<Slot>> {
         let mut sets = Sets::new(mesh.faces().len());
         for face in (0..mesh.faces().len() as u32).filter(|face| !intersects[*face as usize]) {
-            sets.enter(face);
+            sets.enter(face, face);
         }
         for [one, two] in neighbours {
             if !intersects[*one as usize] && !intersects[*two as usize] {

@@ -12,6 +12,7 @@ use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::Workspace;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// A part of a surface that is far from the other one.
 ///
@@ -56,8 +57,8 @@ pub(super) struct Peaks<'l> {
     /// For each vertex the least vertex at the same position.
     place: Vec<u32>,
     maxima: Maxima<'l>,
-    /// Faces in descending order of their values.
-    order: Vec<u32>,
+    /// Values and faces, in descending order.
+    order: Vec<(f64, u32)>,
 }
 
 /// The faces of a region, in ascending order, and the distance that they reach.
@@ -66,25 +67,27 @@ struct Part {
     level: f64,
 }
 
-/// Of some faces that entered those that are connected with the first of them, in ascending order.
-fn connected(entering: &mut Entering<'_>, faces: &[u32], first: u32) -> Vec<u32> {
-    let mut connected: Vec<u32> =
-        faces.iter().copied().filter(|face| entering.first(*face) == first).collect();
-    connected.sort_unstable();
-    connected
+/// Lets faces with these places in the order of values enter, in the order of the mesh.
+fn enter(entering: &mut Entering<'_>, order: &[(f64, u32)], places: Range<usize>) {
+    let mut ranked: Vec<(u32, u32)> = places.map(|rank| (order[rank].1, rank as u32)).collect();
+    ranked.par_sort_unstable();
+    for (face, rank) in ranked {
+        entering.enter(face, rank);
+    }
 }
 
 impl<'l> Peaks<'l> {
     pub(super) fn new(mesh: &'l TriMesh, maxima: Maxima<'l>) -> Self {
-        let order = (0..mesh.faces().len() as u32).collect();
+        let order = (0..mesh.faces().len() as u32).map(|face| (0.0, face)).collect();
         let mut peaks = Self { mesh, place: places(mesh), maxima, order };
         peaks.sort();
         peaks
     }
 
     fn sort(&mut self) {
-        let value = |face: &u32| self.maxima.of_faces[*face as usize].max.upper;
-        self.order.par_sort_unstable_by(|a, b| value(b).total_cmp(&value(a)).then(a.cmp(b)));
+        let of_faces = &self.maxima.of_faces;
+        self.order.par_iter_mut().for_each(|(value, face)| *value = of_faces[*face as usize].max.upper);
+        self.order.par_sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     }
 
     fn value(&self, face: u32) -> f64 {
@@ -103,7 +106,7 @@ impl<'l> Peaks<'l> {
             };
             let mut precision = Precision::Level;
             let wide = |face: &u32| matters(face) && self.maxima.is_wide(*face, Precision::Level);
-            let mut wide: Vec<u32> = self.order.iter().copied().filter(wide).collect();
+            let mut wide: Vec<u32> = self.order.iter().map(|(_, face)| *face).filter(wide).collect();
             if wide.is_empty() {
                 precision = Precision::Peak;
                 if let Some(threshold) = threshold {
@@ -142,21 +145,23 @@ impl<'l> Peaks<'l> {
         let mut entering = Entering::new(self.mesh, &self.place);
         let mut parts = Vec::new();
         let mut entered = 0;
-        for &peak in &self.order {
+        for (rank, &(value, peak)) in self.order.iter().enumerate() {
             if parts.len() == count {
                 break;
             }
             if self.maxima.of_faces[peak as usize].max.lower <= 0.0 {
                 continue;
             }
-            // Levels descend with the peaks, so faces only ever come in.
-            let level = Region::OF_PEAK * self.value(peak);
-            while let Some(&face) = self.order.get(entered).filter(|face| self.value(**face) >= level) {
-                entering.enter(face);
-                entered += 1;
+            // Levels descend with the peaks, so faces only ever come in, and what is connected with a greater one stays so.
+            if rank < entered && entering.first(peak) != peak {
+                continue;
             }
+            let level = Region::OF_PEAK * value;
+            let reached = entered + self.order[entered..].partition_point(|(value, _)| *value >= level);
+            enter(&mut entering, &self.order, entered..reached);
+            entered = reached;
             if entering.first(peak) == peak {
-                parts.push(Part { faces: connected(&mut entering, &self.order[..entered], peak), level });
+                parts.push(Part { faces: entering.with_first(peak), level });
             }
         }
         parts
@@ -164,15 +169,12 @@ impl<'l> Peaks<'l> {
 
     /// The connected parts of the faces above a level, at most `count`.
     fn above(&self, level: f64, count: usize) -> Vec<Part> {
-        let above = self.order.partition_point(|face| self.value(*face) > level);
-        let above = &self.order[..above];
+        let above = self.order.partition_point(|(value, _)| *value > level);
         let mut entering = Entering::new(self.mesh, &self.place);
-        for face in above {
-            entering.enter(*face);
-        }
-        let peaks: Vec<u32> =
-            above.iter().copied().filter(|face| entering.first(*face) == *face).take(count).collect();
-        let part = |peak| Part { faces: connected(&mut entering, above, peak), level };
+        enter(&mut entering, &self.order, 0..above);
+        let faces = self.order[..above].iter().map(|(_, face)| *face);
+        let peaks: Vec<u32> = faces.filter(|face| entering.first(*face) == *face).take(count).collect();
+        let part = |peak| Part { faces: entering.with_first(peak), level };
         peaks.into_iter().map(part).collect()
     }
 

@@ -39,6 +39,8 @@ pub(super) struct Pair<'p> {
     pub(super) to: &'p TriMesh,
     pub(super) target: &'p Target,
     pub(super) direction: Direction,
+    /// From which share of the call to which this direction takes it.
+    pub(super) share: [f64; 2],
     pub(super) prepared: &'p PreparedPair<'p>,
     pub(super) deadline: Option<Instant>,
     /// Bytes that entries may take.
@@ -50,12 +52,20 @@ pub(super) struct Pair<'p> {
 /// The part of the vertices that must be no farther than what distances are compared with: a few that are far away do not matter.
 const MOST_VERTICES: f64 = 0.75;
 
+/// From which share of a direction to which its stages take it, about: as they were measured of a torus of a million faces and a noisy copy.
+mod stages {
+    pub(super) const SEARCH: [f64; 2] = [0.0, 0.2];
+    pub(super) const CUT: [f64; 2] = [0.2, 0.75];
+    pub(super) const MAXIMA: [f64; 2] = [0.75, 0.8];
+    pub(super) const REGIONS: [f64; 2] = [0.8, 1.0];
+}
+
 /// What is left to do when cutting ends takes less than this many times what was done before it began.
 const FINISHING: u32 = 2;
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, prepared, deadline, room, signed } = *pair;
+    let Pair { from, to, target, direction, share, prepared, deadline, room, signed } = *pair;
     let ordered = Ordered::new(from);
     let a_box = ordered.aabb;
     let frame = *target.frame();
@@ -65,7 +75,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     // At most half of the time for the largest distance.
     let half = deadline.map(|end| started + end.saturating_duration_since(started) / 2);
     let observer: &dyn Observer = query.observer.unwrap_or(&());
-    let watched = Watched { observer, cancelled: AtomicBool::new(false) };
+    let watched = Watched { observer, share, cancelled: AtomicBool::new(false) };
     // What a search takes is counted before (see `memory`).
     let options = HausdorffOptions { observer: Some(&watched), ..HausdorffOptions::default() };
     let question = Question { options: &options, direction, deadline: half };
@@ -102,15 +112,10 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     // Time is left for what follows.
     let finishing = FINISHING * refining.elapsed();
     let control = Control::default().until(deadline.map(|end| end.checked_sub(finishing).unwrap_or(end)));
-    let progress = |examined: u64, left: usize| {
-        let progress = Progress {
-            direction,
-            lower: distance.distance.lower(),
-            upper: distance.distance.upper(),
-            examined,
-            left: left as u64,
-        };
-        observer.progress(&progress)
+    let ends = [distance.distance.lower(), distance.distance.upper()];
+    let progress = |examined: u64, [done, left]: [u64; 2], stage: [f64; 2]| {
+        let of_stage = Progress::new(direction, ends, done, left).as_stage(stage).as_stage(share);
+        observer.progress(&Progress { examined, ..of_stage })
     };
     let mean = measure::mean_distance(from, &frame, &vertices, bvh, &order, (total, moment));
     let wants_mean = total > 0.0 && observer.wants_mean();
@@ -149,7 +154,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         if pieces + left >= most_pieces {
             control.stop(stop_of_pieces);
         }
-        if progress(looks, left) == ControlFlow::Break(()) {
+        let done = order.len().saturating_sub(left);
+        if progress(looks, [done as u64, left as u64], stages::CUT) == ControlFlow::Break(()) {
             control.stop(StopReason::Cancelled);
         }
     };
@@ -191,16 +197,17 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         searched: 0,
     };
     know_farthest(&mut maxima, &distance);
-    let mut report_progress = |searched: u64, left: usize| {
-        if progress(looks + searched, left) == ControlFlow::Break(()) {
+    let tell = |searched: u64, left: usize, stage: [f64; 2]| {
+        if progress(looks + searched, [searched, left as u64], stage) == ControlFlow::Break(()) {
             control_of_maxima.stop(StopReason::Cancelled);
         }
     };
     let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Precision::Map)).collect();
-    maxima.narrow(&wide, Precision::Map, &mut report_progress);
+    maxima.narrow(&wide, Precision::Map, &mut |searched, left| tell(searched, left, stages::MAXIMA));
     let (regions, beyond_threshold, bounds) = if query.regions > 0 && !control_of_maxima.is_stopped() {
         let mut peaks = Peaks::new(from, maxima);
-        peaks.settle(query.regions, asked.threshold, &mut report_progress);
+        let mut tell_of_regions = |searched: u64, left: usize| tell(searched, left, stages::REGIONS);
+        peaks.settle(query.regions, asked.threshold, &mut tell_of_regions);
         let (regions, beyond_threshold) = peaks.regions(query.regions, asked.threshold);
         (regions, beyond_threshold, peaks.into_bounds())
     } else {
@@ -263,15 +270,16 @@ fn know_farthest(maxima: &mut Maxima<'_>, distance: &DirectedReport) {
     }
 }
 
-/// Hears of a search being cancelled.
+/// Passes on how far the search has come, and hears of its being cancelled.
 struct Watched<'o> {
     observer: &'o dyn Observer,
+    share: [f64; 2],
     cancelled: AtomicBool,
 }
 
 impl Observer for Watched<'_> {
     fn progress(&self, progress: &Progress) -> ControlFlow<()> {
-        let flow = self.observer.progress(progress);
+        let flow = self.observer.progress(&progress.as_stage(stages::SEARCH).as_stage(self.share));
         if flow.is_break() {
             self.cancelled.store(true, Ordering::Relaxed);
         }

@@ -299,7 +299,7 @@ impl DistanceRequest {
         let watch = Watch {
             progress: context.progress(),
             observer,
-            is_backwards: self.direction == Directions::BToA,
+            directions: self.direction,
             stages: stages.len(),
             rows: Mutex::default(),
         };
@@ -383,8 +383,7 @@ impl DistanceRequest {
 struct Watch<'w> {
     progress: Option<&'w dyn ProgressObserver>,
     observer: Option<&'w dyn Observer>,
-    /// Whether only the direction from B to A is asked for: a single question is always from the engine's A to its B.
-    is_backwards: bool,
+    directions: Directions,
     /// Stages asked for; the engine may report the end as one more.
     stages: usize,
     rows: Mutex<Vec<TraceRow>>,
@@ -411,15 +410,25 @@ impl Watch<'_> {
         rows
     }
 
-    /// The direction as the meshes were given.
+    /// The direction as the meshes were given: a single question is always from the engine's A to its B.
     fn direction(&self, told: Direction) -> Direction {
-        if self.is_backwards { Direction::BToA } else { told }
+        if self.directions == Directions::BToA { Direction::BToA } else { told }
+    }
+
+    /// From which share of the call to which a direction takes it.
+    fn share(&self, told: Direction) -> [f64; 2] {
+        match (self.directions, told) {
+            (Directions::Both, Direction::AToB) => [0.0, 0.5],
+            (Directions::Both, Direction::BToA) => [0.5, 1.0],
+            _ => [0.0, 1.0],
+        }
     }
 }
 
 impl Observer for Watch<'_> {
     fn progress(&self, progress: &Progress) -> ControlFlow<()> {
-        let progress = Progress { direction: self.direction(progress.direction), ..*progress };
+        let progress = progress.as_stage(self.share(progress.direction));
+        let progress = Progress { direction: self.direction(progress.direction), ..progress };
         if let Some(observer) = self.observer {
             observer.progress(&progress)?;
         }

@@ -80,7 +80,5 @@ pub(super) fn tell(
             format!("{ends}: largest {largest}, mean {}", digits::between(mean.lower(), mean.upper()))
         }
     };
-    let all = progress.examined.saturating_add(progress.left).max(1);
-    let share = progress.examined as f64 / all as f64;
-    watching.progress(&run::Progress { doing: &doing, share: Some(share) })
+    watching.progress(&run::Progress { doing: &doing, share: Some(progress.share) })
 }

@@ -380,13 +380,8 @@ impl<'s, 'o> Search<'s, 'o> {
         for piece in &self.open {
             upper = if piece.bound > upper { piece.bound } else { upper };
         }
-        let progress = Progress {
-            direction: self.direction,
-            lower: out(lower),
-            upper: out(upper),
-            examined: self.work.pieces,
-            left: faces_left + self.open.len() as u64,
-        };
+        let left = faces_left + self.open.len() as u64;
+        let progress = Progress::new(self.direction, [out(lower), out(upper)], self.work.pieces, left);
         if self.observer.progress(&progress) == ControlFlow::Break(()) {
             self.scene.control.stop(StopReason::Cancelled);
         }

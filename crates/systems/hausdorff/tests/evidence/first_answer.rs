@@ -61,6 +61,29 @@ fn check(sampled: f64, enclosures: &[Enclosure], mean: Enclosure) {
     assert!(last.gap() <= 1.001 * mean.gap(), "{last} {mean}");
 }
 
+/// The shares that people see, of all stages of both directions: the first takes a call to its half.
+#[test]
+fn shares_are_those_of_the_call() {
+    let (a, b) = (icosphere(1.0, 5).unwrap(), icosphere(1.1, 5).unwrap());
+    let shares = Mutex::new(Vec::new());
+    let watch = |progress: &Progress<'_>| {
+        shares.lock().unwrap().push((progress.doing.starts_with("A to B"), progress.share.unwrap()));
+        ControlFlow::Continue(())
+    };
+    let context = RunContext::start(Limits::default()).watched_by(&watch);
+    DeviationRequest::default().run(PreparedPair::new(&a, &b), [&[], &[]], &context, None).unwrap();
+    let shares = shares.into_inner().unwrap();
+    let [there, back] = [true, false]
+        .map(|is_there| shares.iter().filter(move |(of, _)| *of == is_there).map(|(_, share)| *share));
+    assert!(there.clone().all(|share| (0.0..=0.5).contains(&share)), "{shares:?}");
+    assert!(back.clone().all(|share| (0.5..=1.0).contains(&share)), "{shares:?}");
+    for (shares, half) in [(there.collect::<Vec<_>>(), 0.0), (back.collect(), 0.5)] {
+        let between = shares.iter().filter(|share| (0.1..0.35).contains(&(**share - half)));
+        assert!(between.count() > 2, "{shares:?}");
+        assert!(shares.iter().any(|share| share - half > 0.35), "{shares:?}");
+    }
+}
+
 /// The distances of corners alone enclose the mean within a tenth before any face is cut.
 #[test]
 fn of_surfaces_that_are_apart_the_mean_is_enclosed_at_once() {

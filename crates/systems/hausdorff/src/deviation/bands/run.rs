@@ -1,7 +1,7 @@
 //! The classes of all faces of both surfaces.
 
 use super::super::area;
-use super::super::connected::{Sets, Touching};
+use super::super::connected::{Entering, places};
 use super::super::linear::{greater, lesser};
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
@@ -193,13 +193,11 @@ impl Question<'_> {
                 .collect();
         }
         // Faces that touch each other and not the other surface lie on one side of it.
-        let touching = Touching::new(mesh);
-        let mut sets = Sets::new(count);
-        for face in 0..count as u32 {
-            if reaches[face as usize].least.0 > cutting.touching {
-                sets.enter(face);
-                touching.for_neighbours(face, |other| sets.join(face, other));
-            }
+        let place = places(mesh);
+        let mut entering = Entering::new(mesh, &place);
+        let clear = |face: &u32| reaches[*face as usize].least.0 > cutting.touching;
+        for face in (0..count as u32).filter(clear) {
+            entering.enter(face, face);
         }
         let mut known = vec![None; count];
         (0..count)
@@ -207,7 +205,7 @@ impl Question<'_> {
                 if !is_wanted(face) {
                     return Sign::Unknown;
                 }
-                let first = sets.first(face as u32) as usize;
+                let first = entering.first(face as u32) as usize;
                 *known[first].get_or_insert_with(|| inside(first))
             })
             .collect()
@@ -246,13 +244,9 @@ impl Question<'_> {
                 sum.add(of_task);
             }
             left -= round.len();
-            let progress = Progress {
-                direction: found.direction,
-                lower: found.distance.distance.lower(),
-                upper: found.distance.distance.upper(),
-                examined: (to_cut.len() - left) as u64,
-                left: left as u64,
-            };
+            let ends = [found.distance.distance.lower(), found.distance.distance.upper()];
+            let examined = (to_cut.len() - left) as u64;
+            let progress = Progress::new(found.direction, ends, examined, left as u64);
             if self.observer.progress(&progress) == ControlFlow::Break(()) {
                 control.stop(StopReason::Cancelled);
             }

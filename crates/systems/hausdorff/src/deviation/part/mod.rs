@@ -10,7 +10,7 @@ mod pieces;
 mod within;
 
 use super::area;
-use super::connected::{Sets, Touching};
+use super::connected::{Entering, places};
 use super::entry::Sum;
 use super::report::DirectedDeviation;
 use super::statistics::share_of;
@@ -136,14 +136,13 @@ fn left_share(of: &TriMesh, measured: &[Measured], (pieces, faces): (&TriMesh, &
 
 /// The connected parts of some faces: for each face the first face of its part, and itself for the others.
 fn first_faces(mesh: &TriMesh, of: impl Fn(u32) -> bool) -> Vec<u32> {
-    let touching = Touching::new(mesh);
+    let place = places(mesh);
     let count = mesh.faces().len() as u32;
-    let mut sets = Sets::new(count as usize);
+    let mut entering = Entering::new(mesh, &place);
     for face in (0..count).filter(|face| of(*face)) {
-        sets.enter(face);
-        touching.for_neighbours(face, |other| sets.join(face, other));
+        entering.enter(face, face);
     }
-    (0..count).map(|face| if of(face) { sets.first(face) } else { face }).collect()
+    (0..count).map(|face| if of(face) { entering.first(face) } else { face }).collect()
 }
 
 fn count_components(mesh: &TriMesh, of: impl Fn(u32) -> bool) -> usize {

@@ -163,13 +163,8 @@ impl Comparison<'_> {
                 found[*face as usize] = is_within.then(|| frame.length_out(local.upper).next_up());
             }
             examined += round.len();
-            let progress = Progress {
-                direction: self.direction,
-                lower: 0.0,
-                upper: self.length,
-                examined: examined as u64,
-                left: (open.len() - examined) as u64,
-            };
+            let left = (open.len() - examined) as u64;
+            let progress = Progress::new(self.direction, [0.0, self.length], examined as u64, left);
             if self.observer.progress(&progress).is_break() {
                 control.stop(StopReason::Cancelled);
             }
