@@ -5,6 +5,7 @@ use super::features::{Curves, Features, creases_to};
 use super::marked::{Hold, Marked};
 use glam::DVec3;
 use pompeiu_core::VertexId;
+use std::collections::HashMap;
 
 /// Part of the distance that a chord may stand off an edge that is not held.
 const HELD: f64 = 0.1;
@@ -95,8 +96,12 @@ pub(super) struct Held {
     pub(super) surface: Marked,
     /// The curve of the surface for each curve, [`NONE`] for an edge that is held only now.
     curves: Vec<u32>,
-    /// What held each vertex before.
-    hold: Vec<Hold>,
+    /// What held each corner before. A corner keeps its position, but not its number: a collapse at the boundary can start at it.
+    corners: HashMap<[u64; 3], Hold>,
+}
+
+fn key(position: DVec3) -> [u64; 3] {
+    position.to_array().map(f64::to_bits)
 }
 
 impl Held {
@@ -131,13 +136,20 @@ impl Held {
                 curves[curve as usize] = surface.curve[h as usize];
             }
         }
+        let mut corners = HashMap::new();
+        for (v, _) in found.hold.iter().enumerate().filter(|(_, hold)| **hold == Hold::Corner) {
+            let before = corners.entry(key(mesh.positions[v])).or_insert(surface.hold[v]);
+            if surface.hold[v] == Hold::Corner {
+                *before = Hold::Corner;
+            }
+        }
         let held = Marked { curve: found.of_halfedge, hold: found.hold, ..surface.clone() };
-        Self { surface: held, curves, hold: surface.hold.clone() }
+        Self { surface: held, curves, corners }
     }
 
     /// The surface with its own curves again, and which vertices are near what was held.
     pub(super) fn release(self) -> (Marked, Vec<bool>) {
-        let Self { mut surface, curves, hold } = self;
+        let Self { mut surface, curves, corners } = self;
         for curve in surface.curve.iter_mut().filter(|curve| **curve != NONE) {
             *curve = curves[*curve as usize];
         }
@@ -145,8 +157,7 @@ impl Held {
         for (v, now) in surface.hold.iter_mut().enumerate() {
             let own = match *now {
                 Hold::Free => Hold::Free,
-                // A corner is a vertex of the input, and keeps its number.
-                Hold::Corner => hold[v],
+                Hold::Corner => corners.get(&key(surface.mesh.positions[v])).copied().unwrap_or(Hold::Corner),
                 Hold::Curve(curve) => match curves[curve as usize] {
                     NONE => Hold::Free,
                     own => Hold::Curve(own),

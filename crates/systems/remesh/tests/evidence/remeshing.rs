@@ -175,6 +175,29 @@ fn narrow_tubes_do_not_intersect_themselves() {
     }
 }
 
+/// Corners at the boundary, where held edges end, get other numbers when edges that start at them collapse.
+#[test]
+fn surfaces_with_holes_are_remeshed_within_a_distance() {
+    for (subdivisions, length, within) in [(2, 0.3, 0.01), (3, 0.15, 0.005)] {
+        let ball = shapes::icosphere(1.0, subdivisions).unwrap();
+        for radius in [0.2, 0.25, 0.3, 0.4] {
+            let is_left = |face: &&[u32; 3]| {
+                let corners = face.map(|v| ball.positions()[v as usize]);
+                let centre = [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 3.0);
+                (centre[0] - 1.0).hypot(centre[1].hypot(centre[2])) > radius
+            };
+            let left = ball.faces().iter().filter(is_left).copied().collect();
+            let holed = TriMesh::new(ball.positions().to_vec(), left).unwrap();
+            let within = within * 12.0_f64.sqrt();
+            let options =
+                RemeshOptions { within: Some(within), ..RemeshOptions::new(Sizing::Length(length)) };
+            let found = remesh(&holed, &options).unwrap();
+            assert!(distance(&found) <= within, "{subdivisions} {radius}");
+            assert_eq!(topology(&found.mesh), topology(&holed));
+        }
+    }
+}
+
 #[test]
 fn needles_are_remeshed_within_a_distance() {
     let tube = shapes::cylinder(1.0, 20.0, 200, 1, Ends::Open).unwrap();
