@@ -21,6 +21,7 @@ import time
 for name in ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"]:
     os.environ[name] = "1"
 
+import fast_simplification
 import gpytoolbox
 import meshoptimizer
 import numpy as np
@@ -33,6 +34,7 @@ import record  # noqa: E402
 
 ITERATIONS = 10
 SHARES = [0.001, 0.005, 0.01]
+SHARES_OF_FACES = [0.1, 0.02]
 HALVINGS = 9
 FIELDS = ["date", "commit", "cpu", "load", "task", "mesh", "asked", "program", "faces", "cpu_s", "wall_s", "threads", "judged"]
 CATENOID = (5.991796975802282, 0.8483379380949789)
@@ -195,71 +197,97 @@ def remeshing(session, mesh):
         add(program, made, cpu, wall, target)
 
 
-def simplification(session, mesh):
-    vertices, faces = read_obj(mesh)
-    diagonal = float(np.linalg.norm(vertices.max(0) - vertices.min(0)))
-    name = mesh.stem
-    source = session.path("obj")
-    write_obj(source, vertices, faces)
+class Peers:
+    """Programs that simplify to a number of faces."""
 
-    def meshlab(count):
+    def __init__(self, session, mesh):
+        self.vertices, self.faces = read_obj(mesh)
+        self.source = session.path("obj")
+        write_obj(self.source, self.vertices, self.faces)
+        self.diagonal = float(np.linalg.norm(self.vertices.max(0) - self.vertices.min(0)))
+        self.works = {
+            "pymeshlab": lambda count: timed(lambda: self.pymeshlab(count)),
+            "meshoptimizer": lambda count: timed(lambda: self.meshoptimizer(count)),
+            "gpytoolbox": lambda count: timed(lambda: gpytoolbox.decimate(self.vertices, self.faces, num_faces=count)[:2]),
+            "fast-simplification": lambda count: timed(lambda: self.fast(count)),
+        }
+        if session.cgal:
+            self.works["cgal"] = lambda count: session.run_cgal("simplify", self.source, count)
+
+    def pymeshlab(self, count):
         meshes = pymeshlab.MeshSet()
-        meshes.add_mesh(pymeshlab.Mesh(vertices, faces))
+        meshes.add_mesh(pymeshlab.Mesh(self.vertices, self.faces))
         meshes.meshing_decimation_quadric_edge_collapse(targetfacenum=count)
         made = meshes.current_mesh()
         return made.vertex_matrix(), made.face_matrix()
 
-    def meshopt(count):
-        indices = faces.astype(np.uint32).ravel()
+    def meshoptimizer(self, count):
+        indices = self.faces.astype(np.uint32).ravel()
         found = np.zeros_like(indices)
         n = meshoptimizer.simplify(
-            found, indices, vertices.astype(np.float32), target_index_count=3 * count, target_error=1.0
+            found, indices, self.vertices.astype(np.float32), target_index_count=3 * count, target_error=1.0
         )
-        return vertices, found[:n].reshape(-1, 3)
+        return self.vertices, found[:n].reshape(-1, 3)
 
-    def gpy(count):
-        made = gpytoolbox.decimate(vertices, faces, num_faces=count)
-        return made[0], made[1]
+    def fast(self, count):
+        return fast_simplification.simplify(self.vertices.astype(np.float32), self.faces, target_count=count)
 
+    def judged(self, session, path):
+        """How far a result is, and that in words."""
+        upper = distance(session, self.source, path)
+        return upper, f"H {100 * upper / self.diagonal:.5f} % of the diagonal"
+
+
+def to_faces(session, mesh):
+    """What is left of the surface at a share of its faces, by default and as fast as each can."""
+    peers = Peers(session, mesh)
+    for share in SHARES_OF_FACES:
+        count = round(share * len(peers.faces))
+        asked = f"{100 * share:g} % of the faces"
+        for effort in ["best", "fast"]:
+            out = session.path("obj")
+            words = ["--faces", count, "--effort", effort, "--intersections", "ignore", "-o", out]
+            answer, cpu, wall = session.pompeiu("simplify", peers.source, *words, "--json")
+            judged = peers.judged(session, out)[1]
+            session.add("faces", mesh.stem, asked, f"pompeiu {effort}", answer["report"]["faces"], cpu, wall, judged)
+        for program, work in peers.works.items():
+            made, cpu, wall = work(count)
+            out = session.path("obj")
+            write_obj(out, *made)
+            session.add("faces", mesh.stem, asked, program, len(made[1]), cpu, wall, peers.judged(session, out)[1])
+
+
+def simplification(session, mesh):
+    peers = Peers(session, mesh)
     for share in SHARES:
-        limit = share * diagonal
+        limit = share * peers.diagonal
         asked = f"H <= {100 * share:g} %"
         for threads in [1, 2]:
             out = session.path("obj")
             answer, cpu, wall = session.pompeiu(
-                "simplify", source, "--within", limit, "--intersections", "ignore", "-o", out, "--json", threads=threads
+                "simplify", peers.source, "--within", limit, "--intersections", "ignore", "-o", out, "--json", threads=threads
             )
-            judged = f"H {100 * distance(session, source, out) / diagonal:.5f} % of the diagonal"
-            count = answer["report"]["faces"]
-            session.add("simplify", name, asked, "pompeiu", count, cpu, wall, judged, threads)
-        for program, work in [
-            ("pymeshlab", lambda count: timed(lambda: meshlab(count))),
-            ("meshoptimizer", lambda count: timed(lambda: meshopt(count))),
-            ("gpytoolbox", lambda count: timed(lambda: gpy(count))),
-            *([("cgal", lambda count: session.run_cgal("simplify", source, count))] if session.cgal else []),
-        ]:
+            judged = peers.judged(session, out)[1]
+            session.add("simplify", mesh.stem, asked, "pompeiu", answer["report"]["faces"], cpu, wall, judged, threads)
+        for program, work in peers.works.items():
             # The fewest faces whose distance, as the judge measures it, is at most the limit.
-            low, high, best = 100, len(faces), None
+            low, high, best = 100, len(peers.faces), None
             for _ in range(HALVINGS):
                 middle = round(math.sqrt(low * high))
                 made, cpu, wall = work(middle)
                 out = session.path("obj")
                 write_obj(out, *made)
-                upper = distance(session, source, out) if len(made[1]) else math.inf
+                upper, judged = peers.judged(session, out) if len(made[1]) else (math.inf, "")
                 if upper <= limit:
                     high = middle
                     if best is None or len(made[1]) < best[0]:
-                        best = (len(made[1]), cpu, wall, upper)
+                        best = (len(made[1]), cpu, wall, judged)
                 else:
                     low = middle
                 if high <= low + 1:
                     break
-            if best is None:
-                session.add("simplify", name, asked, program, "", 0, 0, "no number of faces tried is within the distance")
-            else:
-                count, cpu, wall, upper = best
-                judged = f"H {100 * upper / diagonal:.5f} % of the diagonal"
-                session.add("simplify", name, asked, program, count, cpu, wall, judged)
+            found = best or ("", 0, 0, "no number of faces tried is within the distance")
+            session.add("simplify", mesh.stem, asked, program, *found)
 
 
 # Vertices are averaged first: from the tube itself the steps do not converge.
@@ -365,10 +393,10 @@ def neck(session, around=48, along=60, length=0.04):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("mesh", type=pathlib.Path, help="an OBJ file of a closed surface")
+    parser.add_argument("meshes", type=pathlib.Path, nargs="+", metavar="MESH", help="an OBJ file of a closed surface")
     parser.add_argument("--pompeiu", default=shutil.which("pompeiu") or "target/release/pompeiu")
     parser.add_argument("--evolver", default=shutil.which("evolver-nox-d") or shutil.which("evolver"))
-    parser.add_argument("--tasks", nargs="+", default=["remesh", "simplify", "flow"])
+    parser.add_argument("--tasks", nargs="+", default=["remesh", "faces", "simplify", "flow"])
     today = datetime.date.today().isoformat()
     parser.add_argument("--record", type=pathlib.Path, default=HERE.parent / "record" / f"{today}-surfaces.csv")
     arguments = parser.parse_args()
@@ -376,10 +404,9 @@ def main():
     try:
         if "flow" in arguments.tasks:
             flow(session, arguments.evolver)
-        if "remesh" in arguments.tasks:
-            remeshing(session, arguments.mesh)
-        if "simplify" in arguments.tasks:
-            simplification(session, arguments.mesh)
+        for task, work in [("remesh", remeshing), ("faces", to_faces), ("simplify", simplification)]:
+            for mesh in arguments.meshes if task in arguments.tasks else []:
+                work(session, mesh)
     finally:
         shutil.rmtree(session.folder)
 
