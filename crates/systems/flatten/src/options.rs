@@ -99,12 +99,21 @@ impl Default for FlattenOptions<'_> {
     }
 }
 
+/// Cuts added to a chart at most, times the faces of the surface; and cuts at most where these are few.
+const FACES_OF_CUTS: usize = 500_000;
+const MOST_CUTS_OF_FEW_FACES: usize = 32;
+
 impl FlattenOptions<'_> {
     /// The mean symmetric Dirichlet energy up to which charts are divided where nothing else is asked for.
     pub const DISTORTION: f64 = 4.1;
 
-    /// Cuts added to a chart at most where nothing else is asked for.
+    /// Cuts added to a chart at most where nothing else is asked for, however many faces the surface has.
     pub const MOST_CUTS: usize = 6;
+
+    /// Cuts added to a chart at most where nothing else is asked for: the fewer faces, the more cuts take as long.
+    pub fn most_cuts_of(faces: usize) -> usize {
+        (FACES_OF_CUTS / faces.max(1)).clamp(Self::MOST_CUTS, MOST_CUTS_OF_FEW_FACES)
+    }
 
     /// The same where charts are divided: a cut takes less length than a seam where few are needed, and more where many are.
     pub const MOST_CUTS_OF_MANY: usize = 12;

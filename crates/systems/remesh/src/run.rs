@@ -156,6 +156,8 @@ impl<'w> Work<'w> {
             lengths = Lengths::AtVertices(at_vertices.clone());
         }
         let asked = first.as_ref().map_or(&at_vertices, |first| &first.length);
+        let mean = frame.length_out(asked.iter().sum::<f64>() / asked.len() as f64);
+        places.grid.check_edges(&aabb, mean)?;
         let faces = expected_faces(&copy.mesh, asked);
         if faces > options.most_faces as f64 {
             return Err(RemeshError::TooManyFaces { faces, most: options.most_faces });

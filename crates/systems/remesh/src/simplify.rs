@@ -8,12 +8,13 @@ use super::places::Places;
 use super::schedule;
 use super::simplify_options::{Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget};
 use super::simplify_run::Run;
-use pompeiu_core::TriMesh;
+use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{RunContext, on_threads};
 use pompeiu_core::spatial::bvh::{Bvh, Slot};
+use pompeiu_core::{FaceId, TriMesh};
 
 /// Simplifies a mesh by quadric-error edge collapses.
 ///
@@ -90,8 +91,11 @@ fn simplify_here(
     let places = Places { frame, grid: options.coordinates.within(&aabb) };
     let rounding = places.grid.rounding(mesh);
     for target in &targets {
-        if let SimplifyTarget::Within(d) = target {
-            rounding.check(*d)?;
+        match target {
+            SimplifyTarget::Within(d) => rounding.check(*d)?,
+            SimplifyTarget::Faces(faces) => {
+                places.grid.check_edges(&aabb, mean_edge(mesh, *faces))?;
+            }
         }
     }
     let repairs = RepairOptions { coordinates: options.coordinates, ..RepairOptions::default() };
@@ -110,6 +114,16 @@ fn simplify_here(
             run.levels(|| Ok(Collapses::within(surface()?, &bvh, places)), &targets, started)
         }
     }
+}
+
+/// The edges of so many equilateral faces with the area of a mesh.
+fn mean_edge(mesh: &TriMesh, faces: usize) -> f64 {
+    let area = |face: usize| {
+        let [a, b, c] = mesh.corners(FaceId(face as u32)).map(DVec3::from_array);
+        0.5 * (b - a).cross(c - a).length()
+    };
+    let area: f64 = (0..mesh.faces().len()).map(area).sum();
+    (4.0 / 3.0_f64.sqrt() * area / faces.max(1) as f64).sqrt()
 }
 
 /// The mesh in its frame, with the curves that are kept; faces near its vertices are known where there is a tree.

@@ -2,6 +2,7 @@
 
 use super::{MeshError, TriMesh};
 use crate::geom::Aabb;
+use std::fmt;
 
 /// The numbers in which coordinates are kept.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -60,6 +61,9 @@ const SHIFT_UNIT: f64 = 0.25;
 /// The share of a distance that may be allowed that rounding may take.
 const LARGEST_SHARE: f64 = 0.99;
 
+/// The share of the length of edges that rounding may take: beyond it faces turn over and intersect.
+const LARGEST_SHARE_OF_EDGES: f64 = 0.125;
+
 /// The least positive double.
 const LEAST_STEP: f64 = f64::from_bits(1);
 
@@ -114,6 +118,32 @@ impl Grid {
             }
             x + self.shift[k]
         })
+    }
+
+    /// How far rounding moves any point of a box, at most; with a shift what that takes is left out.
+    fn most_moved(&self, aabb: &Aabb) -> f64 {
+        if self.precision == Precision::Double || aabb.is_empty() {
+            return 0.0;
+        }
+        let half_units = [0, 1, 2].map(|k| {
+            let most =
+                (aabb.lower[k] - self.shift[k]).abs().max((aabb.upper[k] - self.shift[k]).abs()) as f32;
+            0.5 * (f64::from(most.next_up()) - f64::from(most))
+        });
+        half_units.iter().map(|unit| unit * unit).sum::<f64>().sqrt()
+    }
+
+    /// Whether faces in a box can have edges about this long, as far as rounding goes.
+    ///
+    /// # Errors
+    /// [`TooCoarse`] where rounding moves vertices by an eighth of that or more.
+    pub fn check_edges(&self, aabb: &Aabb, length: f64) -> Result<(), TooCoarse> {
+        let moved = self.most_moved(aabb);
+        // Lengths of which squares vanish tell nothing.
+        if moved == 0.0 || length == 0.0 || moved < LARGEST_SHARE_OF_EDGES * length {
+            return Ok(());
+        }
+        Err(TooCoarse { moved, asked: Asked::Edges(length) })
     }
 
     /// A mesh with each vertex at its point of the grid.
@@ -176,22 +206,40 @@ impl Rounding {
         if self.moved < LARGEST_SHARE * distance {
             Ok(())
         } else {
-            Err(TooCoarse { moved: self.moved, distance })
+            Err(TooCoarse { moved: self.moved, asked: Asked::Distance(distance) })
         }
     }
 }
 
-/// Rounding to the numbers of the file moves vertices farther than the result may be from the input.
+/// Rounding to the numbers of the file moves vertices too far for the result that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "single precision moves vertices by up to {moved}, and the result may be {distance} away at most; write a format with double \
-     precision such as PLY or OBJ, or count coordinates from the centre of the mesh (--center)"
+    "single precision moves vertices by up to {moved}, and {asked}; write a format with double precision such as PLY or OBJ, or count \
+     coordinates from the centre of the mesh (--center)"
 )]
 pub struct TooCoarse {
     /// How far the vertex moves that moves farthest.
     pub moved: f64,
     /// What was asked for.
-    pub distance: f64,
+    pub asked: Asked,
+}
+
+/// A length that rounding must leave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Asked {
+    /// The result may be this far from the input.
+    Distance(f64),
+    /// Edges of the result are about this long.
+    Edges(f64),
+}
+
+impl fmt::Display for Asked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Distance(length) => write!(f, "the result may be {length} away at most"),
+            Self::Edges(length) => write!(f, "edges are to be about {length} long"),
+        }
+    }
 }
 
 #[cfg(test)]

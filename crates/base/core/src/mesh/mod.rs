@@ -12,7 +12,7 @@ pub mod topology;
 mod trimesh;
 mod unit_factor;
 
-pub use coordinates::{Coordinates, Grid, Precision, Rounding, TooCoarse};
+pub use coordinates::{Asked, Coordinates, Grid, Precision, Rounding, TooCoarse};
 pub use data::{DataLengthError, ElementData, ElementId, FaceData, VertexData};
 pub(crate) use edges::has_three_vertices;
 pub use edit::{

@@ -48,7 +48,7 @@ pub struct FlattenRequest {
     /// Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
     #[cfg_attr(feature = "clap", arg(long, value_name = "ENERGY"))]
     pub target: f64,
-    /// Most cuts that are added to a chart; 6 where nothing is said, or 12 where charts are divided.
+    /// Most cuts that are added to a chart; where nothing is said 6 to 32, the more the fewer faces there are, or 12 where charts are divided.
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub most_cuts: Option<usize>,
     /// How many charts: components for one of each connected part, a number, or auto for as many as the distortion needs.
@@ -250,14 +250,15 @@ impl FlattenRequest {
         if self.cut.straighten && charts != Charts::Components {
             return Err(FlattenError::Whole { option: "the straightened cut" });
         }
+        let most_cuts = self.most_cuts.unwrap_or(match charts {
+            Charts::Components => FlattenOptions::most_cuts_of(surface.mesh().faces()),
+            Charts::Count(_) | Charts::Auto => FlattenOptions::MOST_CUTS_OF_MANY,
+        });
         let options = |cut| FlattenOptions {
             cut,
             method: self.method(),
             target: self.target,
-            most_cuts: self.most_cuts.unwrap_or(match charts {
-                Charts::Components => FlattenOptions::MOST_CUTS,
-                Charts::Count(_) | Charts::Auto => FlattenOptions::MOST_CUTS_OF_MANY,
-            }),
+            most_cuts,
             charts,
             max_distortion: self.max_distortion,
             pack: self.pack,

@@ -3,8 +3,8 @@
 use super::{real_mesh, surface, zoo};
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::UnionFind;
-use pompeiu_core::mesh::shapes::{self, Ends};
-use pompeiu_core::run::{Progress, RunContext, StopReason};
+use pompeiu_core::mesh::shapes::{self, Diagonal, Ends};
+use pompeiu_core::run::{Limits, Progress, RunContext, StopReason};
 use pompeiu_flatten::{
     Charts, ConvexBoundary, CutRequest, FlattenError, FlattenOptions, FlattenRequest, Flattening, Method,
     Weights, flatten,
@@ -178,4 +178,23 @@ fn seams_that_keep_no_promise_are_given_up_soon() {
     check(&flat);
     assert_eq!(flat.report.stop, StopReason::Tolerance);
     assert!(flat.report.distortion.symmetric_dirichlet.mean <= 4.02);
+}
+
+/// Sixteen towers on a square need more cuts than a large surface is given.
+#[test]
+fn small_surfaces_get_the_cuts_that_they_need() {
+    let (mut positions, faces) = shapes::grid([24.0, 24.0], [24, 24], Diagonal::Rising).unwrap().into_parts();
+    for [x, y, z] in &mut positions {
+        let is_high = |x: f64| (2.5..4.5).contains(&x.rem_euclid(6.0));
+        *z = if is_high(*x + 12.0) && is_high(*y + 12.0) { 2.0 } else { 0.0 };
+    }
+    let towers = TriMesh::new(positions, faces).unwrap();
+    let run = |most_cuts| {
+        let request = FlattenRequest { most_cuts, ..FlattenRequest::default() };
+        request.run(surface(&towers), &RunContext::start(Limits::default())).unwrap().flat.report
+    };
+    let [few, found] = [Some(FlattenOptions::MOST_CUTS), None].map(run);
+    assert_eq!([few.stop, found.stop], [StopReason::Steps, StopReason::Tolerance], "{few:?} {found:?}");
+    assert!(found.is_one_to_one());
+    assert_eq!([10_000, 40_000, 86_482].map(FlattenOptions::most_cuts_of), [32, 12, 6]);
 }

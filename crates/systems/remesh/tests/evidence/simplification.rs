@@ -10,8 +10,8 @@ use pompeiu_core::run::{Limits, StopReason};
 use pompeiu_core::spatial::self_intersections;
 use pompeiu_hausdorff::symmetric_hausdorff;
 use pompeiu_remesh::{
-    Effort, FeatureError, Features, Intersections, LengthError, Simplified, SimplifyError, SimplifyOptions,
-    SimplifyTarget, simplify_levels,
+    Effort, FeatureError, Features, Intersections, LengthError, RemeshError, RemeshOptions, Simplified,
+    SimplifyError, SimplifyOptions, SimplifyTarget, Sizing, remesh, simplify_levels,
 };
 use std::num::NonZeroUsize;
 
@@ -348,6 +348,17 @@ fn vertices_are_where_single_precision_has_them() {
         assert!(symmetric_hausdorff(&sphere, &found.mesh).distance.upper() <= within);
         assert!(found.mesh.faces().len() < sphere.faces().len() / 2);
     }
+    // Rounded to the half of a unit in the last place, faces turn over: that is no surface to count the intersections of.
+    let far =
+        transform(&shapes::icosphere(1.0, 4).unwrap(), &Affine::translate([5e5, 4.2e6, 120.0])).unwrap();
+    let kept = |center| {
+        let coordinates = Coordinates { precision: Precision::Single, center };
+        let to_faces = SimplifyOptions { coordinates, ..SimplifyOptions::new(SimplifyTarget::Faces(500)) };
+        let to_length = RemeshOptions { coordinates, ..RemeshOptions::new(Sizing::Length(0.2)) };
+        (pompeiu_remesh::simplify(&far, &to_faces), remesh(&far, &to_length))
+    };
+    assert!(matches!(kept(true), (Ok(_), Ok(_))));
+    assert!(matches!(kept(false), (Err(SimplifyError::TooCoarse(_)), Err(RemeshError::TooCoarse(_)))));
     let coordinates = Coordinates { precision: Precision::Single, center: false };
     let options = SimplifyOptions { coordinates, ..SimplifyOptions::new(SimplifyTarget::Within(1e-3)) };
     let refused = pompeiu_remesh::simplify(&sphere, &options).map(|found| found.distance);

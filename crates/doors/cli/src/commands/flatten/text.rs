@@ -32,7 +32,9 @@ pub(super) fn text(answer: &AnswerOf<Files>) -> String {
         let target = shortest(request.max_distortion.unwrap_or(target));
         page.row(
             "",
-            &format!("the energy of {target} asked for was not reached; allow more cuts (--most-cuts)"),
+            &format!(
+                "the energy of {target} asked for was not reached; allow more cuts (--most-cuts), or several charts (--max-distortion {target})"
+            ),
         );
     } else if report.stop.is_early() {
         page.row("", &format!("stopped early by {}", stopped_by(report.stop)));
