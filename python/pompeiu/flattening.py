@@ -282,7 +282,8 @@ def flatten(
     target : float
         Add cuts until the mean symmetric Dirichlet energy is at most this (isometry: 4).
     most_cuts : int, optional
-        Most cuts that are added to a chart; where nothing is said 6 to 32, the more the fewer faces there are, or 12 where charts are divided.
+        Most cuts that are added to a chart; where nothing is said 6 to 32, the more the fewer faces there are, or 12
+        where charts are divided.
     charts : Union[int, str]
         How many charts: components for one of each connected part, a number, or auto for as many as the distortion
         needs.

@@ -26,7 +26,7 @@ pub enum CutError {
     /// A component of the opened surface is not a disk.
     #[error(
         "the part that holds face {face} is no disk after the cut: it has {boundary_loops} boundary loops and Euler \
-         characteristic {euler_characteristic}, expected 1 and 1"
+         characteristic {euler_characteristic}, expected 1 and 1; the strategies auto and tips leave a disk of each part"
     )]
     NoDisk {
         /// One of its faces.
