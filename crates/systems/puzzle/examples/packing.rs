@@ -12,14 +12,14 @@ use std::error::Error;
 use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("layout     tab       pieces  sheet / puzzle  used   filled  seconds");
+    println!("layout     tab       pieces  kerf  filled  seconds");
     for (layout, tab) in [
         (Layout::Grid, Tab::None),
         (Layout::Grid, Tab::Knob),
         (Layout::Hexagons, Tab::Knob),
         (Layout::Voronoi, Tab::Dovetail),
     ] {
-        for pieces in [24, 100] {
+        for (pieces, kerf) in [(20, 0.2), (50, 0.2), (50, 1.0), (100, 0.2), (300, 0.2), (1000, 0.2)] {
             let side = (2500.0 * pieces as f64).sqrt();
             let options = PuzzleOptions {
                 layout,
@@ -29,22 +29,17 @@ fn main() -> Result<(), Box<dyn Error>> {
                 ..PuzzleOptions::default()
             };
             let puzzle = make(&options)?;
-            // The least sheet, in steps of 5 %, that has room.
-            for percent in (110..300).step_by(5) {
-                let scale = (f64::from(percent) / 100.0).sqrt();
-                let sheet = options.size.map(|x| scale * x);
-                let started = Instant::now();
-                let Ok(packing) = pack(&puzzle, sheet, 0.3, &Control::default()) else { continue };
-                let (seconds, whole) = (started.elapsed().as_secs_f64(), f64::from(percent) / 100.0);
-                println!(
-                    "{:<10} {:<9} {pieces:<7} {whole:<15.2} {:<6.3} {:<7.3} {seconds:.2}",
-                    format!("{layout:?}"),
-                    format!("{tab:?}"),
-                    packing.used,
-                    packing.filled
-                );
-                break;
-            }
+            // On twice the area all pieces have room.
+            let sheet = options.size.map(|x| 2.0_f64.sqrt() * x);
+            let started = Instant::now();
+            let packing = pack(&puzzle, sheet, kerf, &Control::default())?;
+            let seconds = started.elapsed().as_secs_f64();
+            println!(
+                "{:<10} {:<9} {pieces:<7} {kerf:<5} {:<7.3} {seconds:.2}",
+                format!("{layout:?}"),
+                format!("{tab:?}"),
+                packing.filled
+            );
         }
     }
     Ok(())

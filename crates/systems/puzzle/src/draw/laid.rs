@@ -89,5 +89,5 @@ fn pulled(puzzle: &Puzzle, paths: &[Vec<Point>], pull: f64) -> Vec<Place> {
     let size = puzzle.size();
     let middle = |points: &[Point], k: usize| points.iter().map(|p| p[k]).sum::<f64>() / points.len() as f64;
     let shift = |points: &Vec<Point>| [0, 1].map(|k| pull * (middle(points, k) - 0.5 * size[k]));
-    paths.iter().map(|points| Place { quarters: 0, shift: shift(points) }).collect()
+    paths.iter().map(|points| Place { turn: 0.0, shift: shift(points) }).collect()
 }

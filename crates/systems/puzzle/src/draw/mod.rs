@@ -64,10 +64,10 @@ pub fn pieces_svg(puzzle: &Puzzle, drawing: &PieceDrawing<'_>) -> String {
 /// A place as an attribute.
 fn transform(place: &Place) -> String {
     let [x, y] = place.shift;
-    match place.quarters % 4 {
-        0 => format!("translate({x} {y})"),
-        quarters => format!("translate({x} {y}) rotate({})", 90 * i32::from(quarters)),
+    if place.turn == 0.0 {
+        return format!("translate({x} {y})");
     }
+    format!("translate({x} {y}) rotate({})", place.turn)
 }
 
 /// The pieces as closed polylines in DXF.

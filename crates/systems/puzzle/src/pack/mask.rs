@@ -92,11 +92,6 @@ impl Cells {
         Self { size, words, bits: vec![0; words * size[1]] }
     }
 
-    /// Cells across, and rows.
-    pub(super) fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
     /// The last taken cell of a row from `from` to before `to`.
     fn last_taken(&self, y: usize, [from, to]: [usize; 2]) -> Option<usize> {
         let row = &self.bits[y * self.words..(y + 1) * self.words];
