@@ -82,6 +82,11 @@ impl<'e> Entering<'e> {
         Self { mesh, place, first_at: vec![u32::MAX; place.len()], sets: Sets::new(mesh.faces().len()) }
     }
 
+    /// The number of faces of the mesh.
+    pub(super) fn faces(&self) -> usize {
+        self.mesh.faces().len()
+    }
+
     /// Lets a face enter. No two have the same rank.
     pub(super) fn enter(&mut self, face: u32, rank: u32) {
         self.sets.enter(face, rank);

@@ -67,6 +67,9 @@ struct Part {
     level: f64,
 }
 
+/// From this part of all faces on it is quicker to look at all of them, in the order of the mesh.
+const MANY: usize = 16;
+
 /// Lets faces with these places in the order of values enter, in the order of the mesh.
 fn enter(entering: &mut Entering<'_>, order: &[(f64, u32)], places: Range<usize>) {
     let mut ranked: Vec<(u32, u32)> = places.map(|rank| (order[rank].1, rank as u32)).collect();
@@ -74,6 +77,17 @@ fn enter(entering: &mut Entering<'_>, order: &[(f64, u32)], places: Range<usize>
     for (face, rank) in ranked {
         entering.enter(face, rank);
     }
+}
+
+/// Of the faces that entered those that are connected with the first of them, in ascending order.
+fn connected(entering: &mut Entering<'_>, entered: &[(f64, u32)], first: u32) -> Vec<u32> {
+    if entered.len() > entering.faces() / MANY {
+        return entering.with_first(first);
+    }
+    let faces = entered.iter().map(|(_, face)| *face);
+    let mut connected: Vec<u32> = faces.filter(|face| entering.first(*face) == first).collect();
+    connected.sort_unstable();
+    connected
 }
 
 impl<'l> Peaks<'l> {
@@ -161,7 +175,7 @@ impl<'l> Peaks<'l> {
             enter(&mut entering, &self.order, entered..reached);
             entered = reached;
             if entering.first(peak) == peak {
-                parts.push(Part { faces: entering.with_first(peak), level });
+                parts.push(Part { faces: connected(&mut entering, &self.order[..entered], peak), level });
             }
         }
         parts
@@ -174,7 +188,7 @@ impl<'l> Peaks<'l> {
         enter(&mut entering, &self.order, 0..above);
         let faces = self.order[..above].iter().map(|(_, face)| *face);
         let peaks: Vec<u32> = faces.filter(|face| entering.first(*face) == *face).take(count).collect();
-        let part = |peak| Part { faces: entering.with_first(peak), level };
+        let part = |peak| Part { faces: connected(&mut entering, &self.order[..above], peak), level };
         peaks.into_iter().map(part).collect()
     }
 
