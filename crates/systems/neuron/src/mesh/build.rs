@@ -3,8 +3,8 @@
 use super::assembly::{Assembly, NodeBlocks};
 use super::cluster::{Layout, layout};
 use super::cubic_node::START;
-use super::distance::{Net, wall_distance};
-use super::node::{Cluster, mesh_node};
+use super::distance::{Net, Wanted, wall_distance};
+use super::node::{Cluster, mesh_node, sketch_node};
 use super::node_mesh::NodeMesh;
 use super::options::{FoldedNode, MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
@@ -12,7 +12,7 @@ use super::sweep::RadialLength;
 use super::tube::{Tube, tubes};
 use crate::Skeleton;
 use glam::DVec3;
-use pompeiu_core::run::{Control, Progress, StopReason, on_threads};
+use pompeiu_core::run::{Control, Progress, StopReason};
 use pompeiu_volume::{BoundaryFace, CellData, Faces, HexMesh, write_vtu};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -116,29 +116,24 @@ pub(super) fn area_factor(sides: usize) -> f64 {
     (angle / libm::sin(angle)).sqrt()
 }
 
-/// Meshes a neuron.
-///
-/// # Shapes and units
-/// Lengths in micrometres. Sections are polygons with the area of the disc. The mesh ends with a flat cap at tips and at roots with
-/// one neighbour; a soma, or the end of a branch that lost all others, is round.
-/// # Accuracy
-/// [`MeshReport::certified`] is proven, rounding included. Tubes of branches that are not adjacent are meshed separately even if
-/// they overlap: see [`problems`](crate::problems).
-/// # Errors
-/// [`MeshError`]: a sample without a radius, nodes that cannot be meshed, memory, a limit on time.
-/// # Cost
-/// Linear in the length of the tree in radii; about 0.15 s per node, in parallel.
-/// # Source
-/// The untangling energy: `garanzha_foldover_2021`.
-pub fn mesh_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {
-    options.check()?;
-    on_threads(options.limits.threads, || mesh(skeleton, options))
+/// The tubes and nodes of trilinear cells.
+pub(super) fn linear_parts(
+    skeleton: &Skeleton,
+    options: &MeshOptions<'_>,
+    effort: Effort,
+    control: &Control,
+) -> Result<Parts, MeshError> {
+    let factor = area_factor(4 * options.parts);
+    Parts::new(skeleton, options, (factor, Blocks::Linear(options.parts)), effort, control)
 }
 
-fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {
-    let control = Control::start(&options.limits);
-    let factor = area_factor(4 * options.parts);
-    let parts = Parts::new(skeleton, options, factor, Blocks::Linear(options.parts), &control)?;
+/// The mesh of tubes and nodes.
+pub(super) fn assembled(
+    skeleton: &Skeleton,
+    parts: &Parts,
+    wanted: Option<Wanted>,
+    (options, control): (&MeshOptions<'_>, &Control),
+) -> Result<NeuronMesh, MeshError> {
     let nodes: Vec<Option<NodeBlocks<'_>>> = parts
         .nodes
         .iter()
@@ -157,7 +152,18 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, Me
     if assembled.lattices.is_empty() {
         return Err(MeshError::NoBranch);
     }
-    finish(skeleton, &parts, assembled, (options, &control))
+    finish(skeleton, parts, assembled, wanted, (options, control))
+}
+
+/// How well nodes are meshed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effort {
+    /// As well as they can be.
+    Best,
+    /// Until they are valid and near the cones; as well as they can be where that is not found at once.
+    Enough,
+    /// The same, but not at all where that is not found at once.
+    Sketch,
 }
 
 /// The subdivision of the blocks of nodes.
@@ -176,6 +182,8 @@ pub(super) struct Parts {
     pub(super) layout: Layout,
     pub(super) lengths: Vec<Option<RadialLength>>,
     pub(super) nodes: Vec<Option<NodeMesh>>,
+    /// Parts of the blocks of nodes along each edge, and the factor if their walls are drawn to the cones.
+    of_nodes: (usize, Option<f64>),
 }
 
 impl Parts {
@@ -183,8 +191,8 @@ impl Parts {
     pub(super) fn new(
         skeleton: &Skeleton,
         options: &MeshOptions<'_>,
-        factor: f64,
-        blocks: Blocks,
+        (factor, blocks): (f64, Blocks),
+        effort: Effort,
         control: &Control,
     ) -> Result<Self, MeshError> {
         if let Some(sample) = skeleton.samples().iter().find(|sample| sample.radius <= 0.0) {
@@ -198,8 +206,74 @@ impl Parts {
             .map(|(span, tube)| span.map(|[a, b]| RadialLength::new(tube, a.at, b.at)))
             .collect();
         check_memory(&layout, &lengths, options)?;
-        let nodes = mesh_nodes(skeleton, &tubes, &layout, (blocks, factor), options, control)?;
-        Ok(Self { factor, tubes, layout, lengths, nodes })
+        let of_nodes = match blocks {
+            // One face between two corners of a section is beyond the tolerance by itself.
+            Blocks::Linear(parts) => (parts, (parts > 1).then_some(factor)),
+            Blocks::Cubic => (START, None),
+        };
+        let nodes = vec![None; layout.clusters.len()];
+        let all: Vec<usize> = (0..nodes.len()).collect();
+        let mut parts = Self { factor, tubes, layout, lengths, nodes, of_nodes };
+        parts.replace_nodes(skeleton, &all, effort, (options, control))?;
+        Ok(parts)
+    }
+
+    /// Meshes nodes, given by their indices, in the place of what they were. Returns whether there are any new ones.
+    pub(super) fn replace_nodes(
+        &mut self,
+        skeleton: &Skeleton,
+        which: &[usize],
+        effort: Effort,
+        (options, control): (&MeshOptions<'_>, &Control),
+    ) -> Result<bool, MeshError> {
+        let found = self.mesh_nodes(which, effort, (options, control))?;
+        let mut is_new = false;
+        for (&index, node) in which.iter().zip(found) {
+            is_new |= node.is_some();
+            if node.is_some() || effort != Effort::Sketch {
+                self.nodes[index] = node;
+            }
+        }
+        let quality = |node: &Option<NodeMesh>| node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
+        let pairs = self.layout.clusters.iter().zip(&self.nodes);
+        let pairs = pairs.filter(|(cluster, _)| !cluster.ends.is_empty());
+        refuse_folded(skeleton, pairs.map(|(cluster, node)| (cluster, quality(node))))?;
+        Ok(is_new)
+    }
+
+    fn mesh_nodes(
+        &self,
+        which: &[usize],
+        effort: Effort,
+        (options, control): (&MeshOptions<'_>, &Control),
+    ) -> Result<Vec<Option<NodeMesh>>, MeshError> {
+        let done = Mutex::new(0_usize);
+        let mesh = |&index: &usize| {
+            go_on(control)?;
+            let (cluster, reach) = (&self.layout.clusters[index], &self.layout.reach[index]);
+            if cluster.ends.is_empty() {
+                return Ok(None);
+            }
+            let sketch = if effort == Effort::Best {
+                None
+            } else {
+                sketch_node(cluster, &self.tubes, reach, self.of_nodes, options.within, control)
+            };
+            let best = || mesh_node(cluster, &self.tubes, reach, self.of_nodes, control);
+            let node = if effort == Effort::Sketch { sketch } else { sketch.or_else(best) };
+            if let (Some(observer), Ok(mut done)) = (options.progress, done.lock()) {
+                *done += 1;
+                let share = Some(*done as f64 / which.len() as f64);
+                if observer.progress(&Progress { doing: "meshing nodes", share }) == ControlFlow::Break(()) {
+                    control.stop(StopReason::Cancelled);
+                }
+            }
+            // A mesh that was stopped early may be folded.
+            go_on(control)?;
+            Ok(node)
+        };
+        let nodes: Vec<Result<Option<NodeMesh>, MeshError>> = which.par_iter().map(mesh).collect();
+        nodes.into_iter().collect()
     }
 
     /// Sentences about branches whose axis is farther from the samples than the tolerance.
@@ -298,50 +372,6 @@ fn check_memory(
     Ok(())
 }
 
-fn mesh_nodes(
-    skeleton: &Skeleton,
-    tubes: &[Tube],
-    layout: &Layout,
-    (blocks, factor): (Blocks, f64),
-    options: &MeshOptions<'_>,
-    control: &Control,
-) -> Result<Vec<Option<NodeMesh>>, MeshError> {
-    let (parts, factor) = match blocks {
-        // One face between two corners of a section is beyond the tolerance by itself.
-        Blocks::Linear(parts) => (parts, (parts > 1).then_some(factor)),
-        Blocks::Cubic => (START, None),
-    };
-    let done = Mutex::new(0_usize);
-    let count = layout.clusters.len();
-    let nodes: Vec<Result<Option<NodeMesh>, MeshError>> = layout
-        .clusters
-        .par_iter()
-        .zip(&layout.reach)
-        .map(|(cluster, reach)| {
-            go_on(control)?;
-            if cluster.ends.is_empty() {
-                return Ok(None);
-            }
-            let node = mesh_node(cluster, tubes, reach, (parts, factor), control);
-            if let (Some(observer), Ok(mut done)) = (options.progress, done.lock()) {
-                *done += 1;
-                let share = Some(*done as f64 / count as f64);
-                if observer.progress(&Progress { doing: "meshing nodes", share }) == ControlFlow::Break(()) {
-                    control.stop(StopReason::Cancelled);
-                }
-            }
-            // A mesh that was stopped early may be folded.
-            go_on(control)?;
-            Ok(node)
-        })
-        .collect();
-    let nodes = nodes.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let quality = |node: &Option<NodeMesh>| node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
-    let pairs = layout.clusters.iter().zip(&nodes).filter(|(cluster, _)| !cluster.ends.is_empty());
-    refuse_folded(skeleton, pairs.map(|(cluster, node)| (cluster, quality(node))))?;
-    Ok(nodes)
-}
-
 /// An error that names the nodes whose cells are folded.
 pub(super) fn refuse_folded<'c>(
     skeleton: &Skeleton,
@@ -365,6 +395,7 @@ fn finish(
     skeleton: &Skeleton,
     parts: &Parts,
     assembly: Assembly<'_>,
+    wanted: Option<Wanted>,
     (options, control): (&MeshOptions<'_>, &Control),
 ) -> Result<NeuronMesh, MeshError> {
     go_on(control)?;
@@ -378,19 +409,15 @@ fn finish(
     let proof = CellProof::of_cells(&mesh, control)?;
     let labels = labels(&faces, &caps, mesh.positions().len());
     let caps = parts.caps(skeleton, &caps);
-    let wall = if options.measure {
-        let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
-        let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
-        let patch = |(face, _): (&BoundaryFace, _)| {
-            let [a, b, c, d] = face.vertices.map(|v| mesh.positions()[v as usize]);
-            Net { points: [[a, b], [d, c]] }
-        };
-        let reference = options.reference.unwrap_or(skeleton);
-        let patches: Vec<_> = walls.map(patch).collect();
-        wall_distance(reference, &ends, &patches, options.within, control)
-    } else {
-        None
+    let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
+    let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+    let patch = |(face, _): (&BoundaryFace, _)| {
+        let [a, b, c, d] = face.vertices.map(|v| mesh.positions()[v as usize]);
+        Net { points: [[a, b], [d, c]] }
     };
+    let patches: Vec<_> = walls.map(patch).collect();
+    let reference = options.reference.unwrap_or(skeleton);
+    let wall = wall_distance(reference, &ends, &patches, (options.within, wanted), control);
     go_on(control)?;
     let report = MeshReport {
         vertices: mesh.positions().len(),

@@ -1,9 +1,9 @@
 //! Tricubic meshes of neurons.
 
 use super::assembly::{Assembly, NodeBlocks};
-use super::build::{Blocks, Cap, Parts, labels, mean, refuse_folded};
+use super::build::{Blocks, Cap, Effort, Parts, labels, mean, refuse_folded};
 use super::cubic_node::{CubicNode, bend};
-use super::distance::{Net, wall_distance};
+use super::distance::{Net, Wanted, wall_distance};
 use super::linear::{Labelled, linear_shares};
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
@@ -134,7 +134,8 @@ pub fn cubic_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Cu
 fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
     let control = Control::start(&options.limits);
     let section = Section::new();
-    let parts = Parts::new(skeleton, options, section.area_factor(), Blocks::Cubic, &control)?;
+    let parts =
+        Parts::new(skeleton, options, (section.area_factor(), Blocks::Cubic), Effort::Best, &control)?;
     let bent: Vec<Option<CubicNode>> = parts
         .layout
         .clusters
@@ -190,14 +191,11 @@ fn finish(
     vertices.dedup();
     go_on(control)?;
     let caps = parts.caps(skeleton, &caps);
-    let wall = if options.measure {
-        let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
-        let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
-        let patches: Vec<_> = walls.map(|(face, _)| patch(&mesh, face)).collect();
-        wall_distance(options.reference.unwrap_or(skeleton), &ends, &patches, options.within, control)
-    } else {
-        None
-    };
+    let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
+    let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+    let patches: Vec<_> = walls.map(|(face, _)| patch(&mesh, face)).collect();
+    let wanted = (options.within, options.measure.then_some(Wanted::Enclosed));
+    let wall = wall_distance(options.reference.unwrap_or(skeleton), &ends, &patches, wanted, control);
     go_on(control)?;
     let report = MeshReport {
         vertices: vertices.len(),

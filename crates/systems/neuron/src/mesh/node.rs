@@ -46,7 +46,7 @@ const BLEND: f64 = 0.05;
 const DEEP: f64 = 20.0;
 
 /// Weight of the squared distance of middles of faces and edges from the wall, in radii, beside the energy of one cell.
-const MIDDLES: f64 = 50.0;
+pub(super) const MIDDLES: f64 = 50.0;
 
 /// Number of points checked on a ring.
 const RING: usize = 12;
@@ -153,6 +153,9 @@ const ENOUGH: f64 = 0.3;
 /// Largest number of assignments tried for a node.
 const MOST_TRIES: usize = 6;
 
+/// The same where the mesh only decides.
+const MOST_SKETCHES: usize = 2;
+
 /// Meshes a node with arms of the given lengths. With a factor by which radii were multiplied, the wall is drawn to the cones where it is far from
 /// them.
 pub(super) fn mesh_node(
@@ -181,6 +184,24 @@ pub(super) fn mesh_node(
         }
     }
     Some(draft.node)
+}
+
+/// The mesh of a node that is only good enough to decide that there is one: its cells are valid and its wall is near; `None` if none is found at once.
+pub(super) fn sketch_node(
+    cluster: &Cluster,
+    tubes: &[Tube],
+    reach: &[f64],
+    (parts, factor): (usize, Option<f64>),
+    within: f64,
+    control: &Control,
+) -> Option<NodeMesh> {
+    let wall = cluster.wall(tubes, reach);
+    let cones = factor.map(|factor| wall.divided(factor, cluster.balls.len()));
+    let plan = Plan::new((cluster, tubes, reach), (&wall, cones.as_ref()), parts, control);
+    let (centre, _) = plan.places.first()?;
+    plan.candidates(&plan.cores, *centre).iter().take(MOST_SKETCHES).find_map(|(core, assignment)| {
+        plan.sketch(*centre, &plan.cores[*core], assignment).enough(&wall, (cones.as_ref(), within), control)
+    })
 }
 
 /// The index of a core, and the assignment of tubes to its quads.
@@ -332,9 +353,59 @@ fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec
     centres
 }
 
+/// The mesh around a node before its vertices are optimised.
+pub(super) struct Sketch {
+    blocks: Vec<[u32; 8]>,
+    /// Number of corners of blocks.
+    corners: usize,
+    refinement: Refinement,
+    pub(super) positions: Vec<DVec3>,
+    sections: Vec<Section>,
+    pub(super) cells: Vec<[u32; 8]>,
+    /// Faces of a single cell.
+    pub(super) outer: Vec<[u32; 4]>,
+    pub(super) kinds: Vec<Kind>,
+    /// The size of the node, and that of each cell.
+    pub(super) scale: f64,
+    pub(super) sizes: Vec<f64>,
+}
+
+impl Sketch {
+    /// Faces on the wall that have a vertex that may move.
+    pub(super) fn free_faces(&self) -> Vec<[u32; 4]> {
+        let is_free = |face: &[u32; 4]| face.iter().any(|v| self.kinds[*v as usize] != Kind::Fixed);
+        self.outer.iter().filter(|face| is_free(face)).copied().collect()
+    }
+
+    pub(super) fn into_node(self, quality: f64, is_sketch: bool) -> NodeMesh {
+        let Self { blocks, corners, refinement, positions, sections, .. } = self;
+        NodeMesh { blocks, corners, refinement, positions, sections, quality, is_sketch }
+    }
+}
+
 impl Plan<'_> {
     fn build(&self, centre: DVec3, core: &Core, assignment: &Assignment, following: f64) -> Draft {
-        let Self { cluster, tubes, reach, wall, parts, control, .. } = *self;
+        let mut sketch = self.sketch(centre, core, assignment);
+        let mut positions = std::mem::take(&mut sketch.positions);
+        let Sketch { cells, kinds, outer, scale, sizes, .. } = &sketch;
+        let quality = optimise(
+            (cells, kinds, outer),
+            self.wall,
+            (*scale, sizes, following),
+            &mut positions,
+            self.control,
+        );
+        let free = (0..kinds.len() as u32).filter(|&v| kinds[v as usize] != Kind::Fixed).collect();
+        let faces = sketch.free_faces();
+        let off = self.cones.map_or(0.0, |cones| Skin::new(cones, &faces, &positions, 0.0).off(&positions));
+        sketch.positions = positions;
+        let (cells, sizes, scale) = (sketch.cells.clone(), sketch.sizes.clone(), sketch.scale);
+        Draft { node: sketch.into_node(quality, false), cells, sizes, scale, free, faces, off }
+    }
+
+    /// The mesh of a core and an assignment at a position, with its corners where they begin.
+    fn sketch(&self, centre: DVec3, core: &Core, assignment: &Assignment) -> Sketch {
+        let Self { cluster, tubes, reach, wall, parts, .. } = *self;
         let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
         let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
         let size = core.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
@@ -442,14 +513,18 @@ impl Plan<'_> {
         } else {
             vec![depth; cells.len()]
         };
-        let quality =
-            optimise((&cells, &kinds, &outer), wall, (depth, &sizes, following), &mut positions, control);
-        let free = (0..kinds.len() as u32).filter(|&v| kinds[v as usize] != Kind::Fixed).collect();
-        let is_free = |face: &[u32; 4]| face.iter().any(|v| kinds[*v as usize] != Kind::Fixed);
-        let faces: Vec<[u32; 4]> = outer.iter().filter(|face| is_free(face)).copied().collect();
-        let off = self.cones.map_or(0.0, |cones| Skin::new(cones, &faces, &positions, 0.0).off(&positions));
-        let node = NodeMesh { blocks, corners: corners.len(), refinement, positions, sections, quality };
-        Draft { node, cells, sizes, scale: depth, free, faces, off }
+        Sketch {
+            blocks,
+            corners: corners.len(),
+            refinement,
+            positions,
+            sections,
+            cells,
+            outer,
+            kinds,
+            scale: depth,
+            sizes,
+        }
     }
 }
 
@@ -539,7 +614,7 @@ pub(super) fn place_in_disc(inner: [f64; 4], outer: [f64; 4]) -> ([f64; 2], bool
 
 /// How a vertex may move.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     Fixed,
     Wall,
     Inner,
@@ -563,7 +638,7 @@ fn outer_faces(cells: &[[u32; 8]]) -> Vec<[u32; 4]> {
 }
 
 /// The middles of wall faces and of their edges, of those that have a vertex that may move.
-fn middles(wall: &Wall, outer: &[[u32; 4]], kinds: &[Kind], positions: &[DVec3]) -> Vec<Middle> {
+pub(super) fn middles(wall: &Wall, outer: &[[u32; 4]], kinds: &[Kind], positions: &[DVec3]) -> Vec<Middle> {
     let edges = |face: &[u32; 4]| {
         let [a, b, c, d] = *face;
         [[a, b], [b, c], [c, d], [d, a]].map(|[a, b]| if a < b { [a, a, b, b] } else { [b, b, a, a] })
@@ -648,8 +723,7 @@ fn optimise(
     };
     for (round, weight) in [30.0, 300.0, 3000.0, 30_000.0].into_iter().enumerate() {
         let least = energy.least_determinant(positions);
-        energy.shape =
-            Shape::MeanRatio { epsilon: if least > 0.0 { 1e-9 } else { (0.1 * -least).clamp(1e-4, 0.2) } };
+        energy.shape = Shape::untangling(least);
         energy.wall = Some((wall, &on_wall, weight));
         let found = middles(wall, outer, kinds, positions);
         let energy = Energy { middles: (&found, following), ..energy };

@@ -30,6 +30,8 @@ pub(super) struct NodeMesh {
     pub(super) sections: Vec<Section>,
     /// The least scaled Jacobian of its cells.
     pub(super) quality: f64,
+    /// Whether it was only improved until it was valid and near.
+    pub(super) is_sketch: bool,
 }
 
 /// The least scaled Jacobian over all cells, but for the gap of its bounds.

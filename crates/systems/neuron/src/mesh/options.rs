@@ -15,7 +15,7 @@ pub struct MeshOptions<'o> {
     pub layer: f64,
     /// Whether to enclose the distance of the wall from the cones.
     pub measure: bool,
-    /// Tolerated distance of the wall from the cones, both ways, in radii, above 0. It does not change the mesh.
+    /// Tolerated distance of the wall from the cones, both ways, in radii, above 0. It changes the mesh only at nodes where that would be farther.
     pub within: f64,
     /// The skeleton whose cones the wall is compared with, if it is not the one that is meshed: that of the file, before smoothing.
     pub reference: Option<&'o Skeleton>,

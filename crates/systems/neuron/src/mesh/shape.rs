@@ -12,6 +12,11 @@ pub(super) enum Shape {
 }
 
 impl Shape {
+    /// Mean ratios, regularised as far as the least determinant, relative to the size of its cell, needs it.
+    pub(super) fn untangling(least: f64) -> Self {
+        Self::MeanRatio { epsilon: if least > 0.0 { 1e-9 } else { (0.1 * -least).clamp(1e-4, 0.2) } }
+    }
+
     /// The energy density and its derivatives with respect to the columns.
     pub(super) fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
         let cofactors = [b.cross(c), c.cross(a), a.cross(b)];

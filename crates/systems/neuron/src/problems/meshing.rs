@@ -1,10 +1,9 @@
 //! What a mesh of a skeleton cannot do, with the cause.
 
 use super::{Problem, ProblemKind, problems};
-use crate::mesh::{Cause, Causes};
+use crate::mesh::{Cause, Causes, decisive_report};
 use crate::{
     BeyondSample, FoldedNode, MeshError, MeshOptions, MeshReport, RoundCone, Skeleton, UnprovenCell,
-    mesh_neuron,
 };
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,22 +18,23 @@ pub struct Meshability {
     pub problems: Vec<Problem>,
 }
 
-/// Finds out whether [`mesh_neuron`] can mesh a skeleton with the same options, and where and why it cannot.
+/// Finds out whether [`mesh_neuron`](crate::mesh_neuron) can mesh a skeleton with the same options, and where and why it cannot.
 ///
 /// # Definition
-/// The mesh is made. A skeleton is meshable if there is a mesh whose cells are all proven valid and whose wall is proven to be within
+/// A mesh is made whose nodes are only improved until they are valid and near the cones, and as well as they can be where it is not as asked.
+/// A skeleton is meshable if there is a mesh whose cells are all proven valid and whose wall is proven to be within
 /// [`MeshOptions::within`] of the cones. Otherwise there is a problem for each node whose cells stay folded, and one for each cause of
 /// samples beyond the tolerance, at the worst of them: a branch that is too short and left out, one that turns too sharply, two that
 /// overlap, a node, or none of these.
 /// # Errors
 /// [`MeshError`] for invalid options and limits.
 /// # Cost
-/// That of the mesh.
+/// Less than that of the mesh, unless there is none.
 pub fn meshability(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Meshability, MeshError> {
     let finding = Finding { skeleton, options };
     let refused = |problems| Meshability { meshable: Some(false), problems };
-    match mesh_neuron(skeleton, &MeshOptions { measure: true, ..options.clone() }) {
-        Ok(mesh) => Ok(finding.of_report(&mesh.report)),
+    match decisive_report(skeleton, &MeshOptions { measure: true, ..options.clone() }) {
+        Ok(report) => Ok(finding.of_report(&report)),
         Err(MeshError::Nodes(nodes)) => Ok(refused(finding.of_nodes(&nodes))),
         Err(error @ MeshError::NoBranch) => {
             let first = skeleton.samples()[0];

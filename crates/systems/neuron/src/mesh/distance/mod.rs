@@ -8,7 +8,8 @@ mod solid;
 
 pub(super) use patches::Net;
 use pieces::{Facet, Facets, FlatEnd, Surface};
-use search::{Enclosure, enclose};
+pub(super) use search::Wanted;
+use search::{Enclosure, Goal, enclose};
 use solid::Solid;
 
 use super::options::{BeyondSample, DirectedDistance, WallDistance};
@@ -31,25 +32,24 @@ const MOST_PARTS: f64 = 32.0;
 /// At a ball, neurites begin in its centre with their own radius. Of the surface of the cones, the round ends beyond flat ends of the
 /// mesh are left out. Distances in radii are divided by the radius of the skeleton's ball next to the point.
 /// # Accuracy
-/// Proven, rounding included. `None` if there is no wall.
+/// Proven, rounding included. `None` if there is no wall, or nothing is wanted.
 /// # Cost
 /// Linear in the length of the tree in radii, but for logarithmic factors.
 pub(super) fn wall_distance<const S: usize>(
     skeleton: &Skeleton,
     ends: &[(i64, DVec3)],
     wall: &[Net<S>],
-    within: f64,
+    (within, wanted): (f64, Option<Wanted>),
     control: &Control,
 ) -> Option<WallDistance> {
-    if wall.is_empty() {
-        return None;
-    }
+    let wanted = wanted.filter(|_| !wall.is_empty())?;
     let solid = Solid::new(skeleton);
     let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
     let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, ends));
-    let from_wall = enclose(wall, (within, false), control, |net| Some(patches::bounds(&solid, net)));
-    let is_beyond = from_wall.lower[1] > within;
-    let from_cones = enclose(&surface.pieces(), (within, is_beyond), control, |piece| surface.bounds(piece));
+    let goal = Goal { within, is_decided: false, wanted };
+    let from_wall = enclose(wall, goal, control, |net| Some(patches::bounds(&solid, net)));
+    let goal = Goal { is_decided: from_wall.lower[1] > within, ..goal };
+    let from_cones = enclose(&surface.pieces(), goal, control, |piece| surface.bounds(piece));
     let samples = skeleton.samples();
     let directed = |found: &Enclosure| DirectedDistance {
         lower: found.lower[0],

@@ -19,6 +19,9 @@ const BATCH: usize = 4096;
 /// The same once a distance is known to be more than is tolerated: what is left is its width.
 const LEVELS_BEYOND: usize = 7;
 
+/// The same if only a yes is wanted: a mesh with distances near what is tolerated is improved instead.
+const LEVELS_WHETHER: usize = 4;
+
 /// Most patches that are evaluated: so many, and so many for each one in the beginning.
 const LEAST_BUDGET: usize = 1_000_000;
 const MOST_PER_PATCH: usize = 100;
@@ -49,12 +52,34 @@ pub(super) struct Enclosure {
     pub(super) sample: usize,
     /// Samples next to points that are farther away than is tolerated, with the greatest such distance.
     pub(super) beyond: BTreeMap<usize, [f64; 2]>,
+    goal: Goal,
+}
+
+/// What is wanted of distances.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+pub(in crate::mesh) enum Wanted {
+    /// Whether they are soon proven to be tolerated, and where they are not.
+    Whether,
+    /// Whether they are tolerated, and how great they are where they are not.
+    Where,
+    /// How great they are.
+    #[default]
+    Enclosed,
+}
+
+/// What an enclosure is for.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Goal {
+    /// The tolerated distance, in radii.
+    pub(super) within: f64,
     /// Whether another surface is known to be farther away than is tolerated, so that this one decides nothing.
-    is_decided: bool,
+    pub(super) is_decided: bool,
+    pub(super) wanted: Wanted,
 }
 
 impl Enclosure {
-    fn add(&mut self, bounds: &Bounds, within: f64) {
+    fn add(&mut self, bounds: &Bounds) {
+        let within = self.goal.within;
         self.lower[0] = self.lower[0].max(bounds.lower[0]);
         if bounds.lower[1] > self.lower[1] {
             self.lower[1] = bounds.lower[1];
@@ -68,17 +93,34 @@ impl Enclosure {
         }
     }
 
+    /// Takes a patch that is not divided.
+    fn close(&mut self, bounds: &Bounds) {
+        self.upper = [0, 1].map(|k| self.upper[k].max(bounds.upper[k]));
+        if self.goal.wanted == Wanted::Whether && bounds.upper[1] > self.goal.within {
+            self.beyond.entry(bounds.sample).or_insert(bounds.lower);
+        }
+    }
+
     /// Most divisions of a patch along each direction.
-    fn most_levels(&self, within: f64) -> usize {
-        if self.is_decided || self.lower[1] > within { LEVELS_BEYOND } else { MOST_LEVELS }
+    fn most_levels(&self) -> usize {
+        if self.goal.wanted == Wanted::Whether {
+            return LEVELS_WHETHER;
+        }
+        if self.goal.is_decided || self.lower[1] > self.goal.within { LEVELS_BEYOND } else { MOST_LEVELS }
     }
 
     /// Whether a patch has to be divided to narrow the enclosure, or to decide whether distances are tolerated.
-    fn is_open(&self, bounds: &Bounds, within: f64) -> bool {
+    fn is_open(&self, bounds: &Bounds) -> bool {
+        let Goal { within, is_decided, wanted } = self.goal;
         let width = if self.lower[1] > within { (RELATIVE_WIDTH * self.lower[1]).max(WIDTH) } else { WIDTH };
         // The width in micrometres is that of the radius of this patch.
         let radius = bounds.upper[0] / bounds.upper[1];
-        let decides = !self.is_decided && self.lower[1] <= within && bounds.upper[1] > within;
+        let decides = !is_decided && self.lower[1] <= within && bounds.upper[1] > within;
+        match wanted {
+            Wanted::Whether => return bounds.upper[1] > within,
+            Wanted::Where if bounds.upper[1] <= within => return false,
+            Wanted::Where | Wanted::Enclosed => (),
+        }
         decides
             || bounds.upper[1] > self.lower[1] + width
             || bounds.upper[0] > self.lower[0] + width * radius.max(0.0)
@@ -86,16 +128,16 @@ impl Enclosure {
 }
 
 /// Encloses the greatest distance of the points of patches. `evaluate` bounds those of one patch; `None` if it is not part of the
-/// surface. If it `is_decided` that distances of another surface are not tolerated, those of this one are only enclosed. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
+/// surface. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
 ///
 /// The result does not depend on the number of threads.
 pub(super) fn enclose<P: Patch>(
     patches: &[P],
-    (within, is_decided): (f64, bool),
+    goal: Goal,
     control: &Control,
     evaluate: impl Fn(&P) -> Option<Bounds> + Sync,
 ) -> Enclosure {
-    let mut found = Enclosure { is_decided, ..Enclosure::default() };
+    let mut found = Enclosure { goal, ..Enclosure::default() };
     // Lower bounds first, whichever patch they are of: the others need not be divided for what these decide.
     let mut first: Vec<Vec<Option<Bounds>>> = Vec::with_capacity(patches.len().div_ceil(BATCH));
     for batch in patches.chunks(BATCH) {
@@ -103,7 +145,7 @@ pub(super) fn enclose<P: Patch>(
             return Enclosure { upper: [f64::INFINITY; 2], ..found };
         }
         let bounds: Vec<Option<Bounds>> = batch.par_iter().map(&evaluate).collect();
-        bounds.iter().flatten().for_each(|bounds| found.add(bounds, within));
+        bounds.iter().flatten().for_each(|bounds| found.add(bounds));
         first.push(bounds);
     }
     let mut left = LEAST_BUDGET.saturating_add(patches.len().saturating_mul(MOST_PER_PATCH));
@@ -118,14 +160,14 @@ pub(super) fn enclose<P: Patch>(
             }
             let bounds = known.take().unwrap_or_else(|| active.par_iter().map(&evaluate).collect());
             left = left.saturating_sub(active.len());
-            bounds.iter().flatten().for_each(|bounds| found.add(bounds, within));
+            bounds.iter().flatten().for_each(|bounds| found.add(bounds));
             let mut divided: Vec<P> = Vec::new();
             for (patch, bounds) in active.iter().zip(&bounds) {
                 let Some(bounds) = bounds else { continue };
-                if left > 0 && level < found.most_levels(within) && found.is_open(bounds, within) {
+                if left > 0 && level < found.most_levels() && found.is_open(bounds) {
                     divided.extend(patch.divided());
                 } else {
-                    found.upper = [0, 1].map(|k| found.upper[k].max(bounds.upper[k]));
+                    found.close(bounds);
                 }
             }
             stack.extend(divided.chunks(BATCH).rev().map(|chunk| (level + 1, chunk.to_vec())));
