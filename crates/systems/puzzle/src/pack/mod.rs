@@ -13,11 +13,12 @@ mod strip;
 use crate::{Puzzle, PuzzleError};
 use body::{Body, Pose};
 use greedy::{Packer, Placed, Try};
-use pompeiu_core::run::Control;
+use pompeiu_core::run::{Control, Progress};
 use pompeiu_planar::{Outline, Point, offset};
 use rayon::prelude::*;
 use shrink::{ROUNDING, shrink};
 use std::f64::consts::FRAC_PI_2;
+use strip::Strip;
 
 /// The places of the pieces of a puzzle on a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,12 +97,23 @@ const AWAY: f64 = 0.1;
 /// # Source
 /// `imamichi_iterated_2009`, `umetani_solving_2009` and `gardeyn_open_2025`: see `shrink.rs`.
 pub fn pack(puzzle: &Puzzle, sheet: [f64; 2], kerf: f64, control: &Control) -> Result<Packing, PuzzleError> {
+    pack_and_tell(puzzle, sheet, kerf, control, &|_| ())
+}
+
+/// As [`pack`], for somebody who is told how far it has come.
+pub(crate) fn pack_and_tell(
+    puzzle: &Puzzle,
+    sheet: [f64; 2],
+    kerf: f64,
+    control: &Control,
+    tell: &dyn Fn(&Progress<'_>),
+) -> Result<Packing, PuzzleError> {
     let pieces = puzzle.pieces();
     let unit = puzzle.unit();
     let paths: Vec<Vec<Point>> = (0..pieces).map(|piece| path(puzzle, piece, kerf)).collect();
     let bodies: Vec<Body> = paths.par_iter().map(|path| Body::new(path, kerf + AWAY * unit, unit)).collect();
     let area: f64 = (0..pieces).map(|piece| puzzle.area(piece)).sum();
-    let work = Work { paths, bodies, area, unit, sheet, kerf, control };
+    let work = Work { paths, bodies, area, unit, sheet, kerf, control, tell };
     // Along the longer side of the sheet, and then along the other one.
     let along = usize::from(sheet[0] < sheet[1]);
     if let Some(found) = work.on_strip(along) {
@@ -135,6 +147,7 @@ struct Work<'c> {
     sheet: [f64; 2],
     kerf: f64,
     control: &'c Control,
+    tell: &'c dyn Fn(&Progress<'_>),
 }
 
 impl Work<'_> {
@@ -157,7 +170,9 @@ impl Work<'_> {
     fn packing(&self, axis: usize, width: f64, placed: &[Option<Placed>]) -> Option<Packing> {
         let start: Option<Vec<Pose>> =
             self.bodies.iter().zip(placed).map(|(b, p)| Some(pose(b, (*p)?))).collect();
-        let poses = shrink(&self.bodies, start?, width, self.unit, self.kerf, self.control);
+        let tell = |share| (self.tell)(&Progress { doing: "packing pieces", share: Some(share) });
+        let strip = Strip::new(&self.bodies, start?, width, self.unit, self.kerf);
+        let poses = shrink(strip, self.control, &tell);
         let places: Vec<Place> =
             self.bodies.iter().zip(&poses).map(|(body, pose)| place(body, pose, axis, width)).collect();
         let laid =

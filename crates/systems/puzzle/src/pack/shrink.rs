@@ -1,7 +1,7 @@
 //! Shortening the part of a strip that pieces need.
 
 use super::apart::{bounds, too_near};
-use super::body::{Body, Pose};
+use super::body::Pose;
 use super::strip::Strip;
 use pompeiu_core::run::Control;
 
@@ -58,7 +58,7 @@ struct Attempt {
     most_work: u64,
 }
 
-/// Places on a shorter part of a strip of some width, for pieces that lie apart on it.
+/// Places on a shorter part of a strip, for pieces that lie apart on it. `tell` is called with the share of the work that is done.
 ///
 /// # Definition
 /// The strip is made shorter, pieces that then overlap are separated, and the strip becomes a little longer while that fails. Places
@@ -71,20 +71,13 @@ struct Attempt {
 /// `imamichi_iterated_2009` for separation by descent and exchanges, `umetani_solving_2009` for the weights of a guided local search,
 /// `gardeyn_open_2025` for strips that become shorter step by step. Overlaps are squared depths in fields of distances here, not
 /// no-fit polygons or circles.
-pub(super) fn shrink(
-    bodies: &[Body],
-    start: Vec<Pose>,
-    width: f64,
-    unit: f64,
-    kerf: f64,
-    control: &Control,
-) -> Vec<Pose> {
-    let mut strip = Strip::new(bodies, start, width, unit, kerf);
+pub(super) fn shrink(mut strip: Strip<'_>, control: &Control, tell: &dyn Fn(f64)) -> Vec<Pose> {
     let mut best = Best { length: strip.size[1], poses: strip.poses.clone() };
-    let pieces = bodies.len() as u64;
+    let pieces = best.poses.len() as u64;
     let whole = (WORK_EACH_OF_FEW * pieces).min(WORK + WORK_EACH * pieces);
     let mut step = FIRST_STEP * (FEW / pieces as f64).sqrt().min(1.0);
     loop {
+        tell((strip.work as f64 / whole as f64).min(1.0));
         let most_work = strip.work + whole / SQUEEZING_PART;
         for step in SQUEEZES {
             let squeeze = Attempt { step, rounds: SQUEEZING_ROUNDS, may_expand: false, most_work };

@@ -7,9 +7,9 @@ pub use piece::PieceSource;
 use crate::shape::make_like_until;
 use crate::{
     Answer, Like, LikeOptions, Method, Motion, MotionReport, Puzzle, PuzzleError, PuzzleOptions,
-    PuzzleReport, Variant, kerf, pack, take_apart,
+    PuzzleReport, Variant, kerf, take_apart,
 };
-use crate::{Layout, Tab, make::make_until, report::report_until};
+use crate::{Layout, Tab, make::make_until, pack::pack_and_tell, report::report_until};
 use pompeiu_core::request::{Length, LengthError, Limit, Report, Request};
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Progress, RunContext, StopReason};
@@ -284,7 +284,7 @@ impl PuzzleRequest {
                 report.kerf = Some(kerf(&puzzle, width, &control));
             }
             if let Some(sheet) = self.layout_on {
-                report.packing = Some(pack(&puzzle, sheet, width, &control)?);
+                report.packing = Some(pack_and_tell(&puzzle, sheet, width, &control, &tell)?);
             }
             let motion = wants_motion.then(|| take_apart(&puzzle, &report.found, &control)).flatten();
             report.motion = motion.as_ref().map(MotionReport::from);
@@ -372,6 +372,9 @@ fn whole(source: &ShapeSource, read: &mut Vec<(PathBuf, usize)>) -> Result<Outli
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pompeiu_core::run::Limits;
+    use std::ops::ControlFlow;
+    use std::sync::atomic::{AtomicBool, Ordering};
 
     #[test]
     fn widths_are_in_millimetres_whatever_their_unit() {
@@ -383,5 +386,23 @@ mod tests {
         let request = PuzzleRequest { neck: Some("1%".parse().unwrap()), ..PuzzleRequest::default() };
         let error = request.run(false, &RunContext::default()).unwrap_err();
         assert!(matches!(error, PuzzleRequestError::Length(_)), "{error}");
+    }
+
+    /// The first share is told before the first attempt: who ends the work there gets the greedy choice.
+    #[test]
+    fn packing_is_watched_and_can_be_ended() {
+        let request =
+            PuzzleRequest { pieces: 12, layout_on: Some([400.0, 600.0]), ..PuzzleRequest::default() };
+        let ended = AtomicBool::new(false);
+        let watch = |progress: &Progress<'_>| {
+            let is_packing = progress.doing == "packing pieces";
+            ended.fetch_or(is_packing, Ordering::Relaxed);
+            if is_packing { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let context = RunContext::start(Limits::default()).watched_by(&watch);
+        let report = request.run(false, &context).unwrap().report;
+        assert!(ended.into_inner());
+        assert_eq!(report.stop, StopReason::Cancelled);
+        assert_eq!(report.packing.unwrap().places.len(), report.pieces.len());
     }
 }
