@@ -32,7 +32,7 @@ step() {
   return "$code"
 }
 
-declare -A steps_running
+declare -A steps_running=()
 beside() {
   local name="$1"
   shift
