@@ -19,7 +19,23 @@ pub(crate) fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
     distance(p, [a[0] + t * u[0], a[1] + t * u[1]])
 }
 
-/// The distance between two segments.
+/// The vector to a point from the nearest point of a segment.
+#[inline]
+pub fn from_segment(p: Point, [a, b]: [Point; 2]) -> Point {
+    let (u, v) = (minus(b, a), minus(p, a));
+    let norm_sq = dot(u, u);
+    let t = if norm_sq > 0.0 { (dot(u, v) / norm_sq).clamp(0.0, 1.0) } else { 0.0 };
+    [v[0] - t * u[0], v[1] - t * u[1]]
+}
+
+/// The squared distance from a point to a segment.
+#[inline]
+pub fn distance_sq_to_segment(p: Point, segment: [Point; 2]) -> f64 {
+    let w = from_segment(p, segment);
+    dot(w, w)
+}
+
+/// The distance between two segments, 0 if they meet.
 pub(crate) fn distance_between_segments(s: [Point; 2], t: [Point; 2]) -> f64 {
     if segments_meet(s, t) {
         return 0.0;

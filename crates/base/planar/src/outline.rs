@@ -191,7 +191,8 @@ pub(crate) fn signed_area(points: &[Point]) -> f64 {
     0.5 * points.iter().zip(next).map(|(a, b)| cross(minus(*a, origin), minus(*b, origin))).sum::<f64>()
 }
 
-pub(crate) fn bounds(points: &[Point]) -> [Point; 2] {
+/// The least and the greatest coordinates of points; infinite, the wrong way round, where there are none.
+pub fn bounds(points: &[Point]) -> [Point; 2] {
     points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
         [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
     })

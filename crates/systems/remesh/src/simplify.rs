@@ -8,6 +8,7 @@ use super::places::Places;
 use super::schedule;
 use super::simplify_options::{Effort, Simplified, SimplifyError, SimplifyOptions, SimplifyTarget};
 use super::simplify_run::Run;
+use super::triangle::area_vector;
 use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::mesh::repair::{RepairOptions, repair};
@@ -93,9 +94,8 @@ fn simplify_here(
     for target in &targets {
         match target {
             SimplifyTarget::Within(d) => rounding.check(*d)?,
-            SimplifyTarget::Faces(faces) => {
-                places.grid.check_edges(&aabb, mean_edge(mesh, *faces))?;
-            }
+            SimplifyTarget::Faces(_) if places.grid.holds_all() => (),
+            SimplifyTarget::Faces(faces) => places.grid.check_edges(&aabb, mean_edge(mesh, *faces))?,
         }
     }
     let repairs = RepairOptions { coordinates: options.coordinates, ..RepairOptions::default() };
@@ -118,10 +118,8 @@ fn simplify_here(
 
 /// The edges of so many equilateral faces with the area of a mesh.
 fn mean_edge(mesh: &TriMesh, faces: usize) -> f64 {
-    let area = |face: usize| {
-        let [a, b, c] = mesh.corners(FaceId(face as u32)).map(DVec3::from_array);
-        0.5 * (b - a).cross(c - a).length()
-    };
+    let area =
+        |face: usize| 0.5 * area_vector(mesh.corners(FaceId(face as u32)).map(DVec3::from_array)).length();
     let area: f64 = (0..mesh.faces().len()).map(area).sum();
     (4.0 / 3.0_f64.sqrt() * area / faces.max(1) as f64).sqrt()
 }

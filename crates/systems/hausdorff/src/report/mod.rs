@@ -22,6 +22,16 @@ pub enum Direction {
     BToA,
 }
 
+impl Direction {
+    /// From which share of a call for both directions to which this one takes it.
+    pub(crate) fn share_of_both(self) -> [f64; 2] {
+        match self {
+            Self::AToB => [0.0, 0.5],
+            Self::BToA => [0.5, 1.0],
+        }
+    }
+}
+
 /// The work that was done, in counts that do not depend on the machine or the number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

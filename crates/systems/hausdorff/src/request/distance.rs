@@ -417,11 +417,7 @@ impl Watch<'_> {
 
     /// From which share of the call to which a direction takes it.
     fn share(&self, told: Direction) -> [f64; 2] {
-        match (self.directions, told) {
-            (Directions::Both, Direction::AToB) => [0.0, 0.5],
-            (Directions::Both, Direction::BToA) => [0.5, 1.0],
-            _ => [0.0, 1.0],
-        }
+        if self.directions == Directions::Both { told.share_of_both() } else { [0.0, 1.0] }
     }
 }
 

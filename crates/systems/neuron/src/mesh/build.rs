@@ -409,15 +409,17 @@ fn finish(
     let proof = CellProof::of_cells(&mesh, control)?;
     let labels = labels(&faces, &caps, mesh.positions().len());
     let caps = parts.caps(skeleton, &caps);
-    let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
-    let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
-    let patch = |(face, _): (&BoundaryFace, _)| {
-        let [a, b, c, d] = face.vertices.map(|v| mesh.positions()[v as usize]);
-        Net { points: [[a, b], [d, c]] }
-    };
-    let patches: Vec<_> = walls.map(patch).collect();
-    let reference = options.reference.unwrap_or(skeleton);
-    let wall = wall_distance(reference, &ends, &patches, (options.within, wanted), control);
+    let wall = wanted.and_then(|wanted| {
+        let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
+        let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+        let patch = |(face, _): (&BoundaryFace, _)| {
+            let [a, b, c, d] = face.vertices.map(|v| mesh.positions()[v as usize]);
+            Net { points: [[a, b], [d, c]] }
+        };
+        let patches: Vec<_> = walls.map(patch).collect();
+        let reference = options.reference.unwrap_or(skeleton);
+        wall_distance(reference, &ends, &patches, (options.within, wanted), control)
+    });
     go_on(control)?;
     let report = MeshReport {
         vertices: mesh.positions().len(),

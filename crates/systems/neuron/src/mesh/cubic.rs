@@ -191,11 +191,15 @@ fn finish(
     vertices.dedup();
     go_on(control)?;
     let caps = parts.caps(skeleton, &caps);
-    let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
-    let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
-    let patches: Vec<_> = walls.map(|(face, _)| patch(&mesh, face)).collect();
-    let wanted = (options.within, options.measure.then_some(Wanted::Enclosed));
-    let wall = wall_distance(options.reference.unwrap_or(skeleton), &ends, &patches, wanted, control);
+    let wall = if options.measure {
+        let ends: Vec<_> = caps.iter().map(|cap| (cap.sample, cap.normal)).collect();
+        let walls = faces.boundary().iter().zip(&labels).filter(|(_, label)| **label == 0);
+        let patches: Vec<_> = walls.map(|(face, _)| patch(&mesh, face)).collect();
+        let wanted = (options.within, Wanted::Enclosed);
+        wall_distance(options.reference.unwrap_or(skeleton), &ends, &patches, wanted, control)
+    } else {
+        None
+    };
     go_on(control)?;
     let report = MeshReport {
         vertices: vertices.len(),

@@ -26,7 +26,7 @@ pub(super) struct Draft {
 
 /// Distance of the wall from the cones of the tubes beyond which it is drawn to them, in radii: half the default tolerance, because the axes of
 /// tubes may be as far from the samples.
-pub(super) const NEAR: f64 = 0.1;
+const NEAR: f64 = 0.1;
 
 /// Scaled Jacobian from which on more of it does not make a draft fitter.
 const FULL: f64 = 0.35;

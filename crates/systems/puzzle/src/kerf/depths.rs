@@ -1,6 +1,6 @@
 //! How deep points lie in a piece.
 
-use pompeiu_planar::{Outline, Point};
+use pompeiu_planar::{Outline, Point, distance_sq_to_segment};
 use std::ops::Range;
 
 /// Largest number of squares in a row of the finest grid.
@@ -145,7 +145,7 @@ impl Depths {
         let mut least = f64::INFINITY;
         let mut away = Vec::with_capacity(sides.len());
         for side in sides {
-            let distance = distance_sq(centre, *side).sqrt();
+            let distance = distance_sq_to_segment(centre, *side).sqrt();
             least = least.min(distance);
             away.push(distance);
         }
@@ -159,7 +159,7 @@ impl Depths {
 }
 
 fn is_far(sides: &[[Point; 2]], p: Point, depth: f64) -> bool {
-    sides.iter().all(|side| distance_sq(p, *side) > depth * depth)
+    sides.iter().all(|side| distance_sq_to_segment(p, *side) > depth * depth)
 }
 
 /// Whether the segment between two points crosses sides an even number of times; none where rounding leaves that open.
@@ -191,13 +191,6 @@ fn is_inside(sides: &[[Point; 2]], p: Point) -> bool {
         }
     }
     is_inside
-}
-
-fn distance_sq(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let t = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
-    let w = [v[0] - t * u[0], v[1] - t * u[1]];
-    w[0] * w[0] + w[1] * w[1]
 }
 
 #[cfg(test)]

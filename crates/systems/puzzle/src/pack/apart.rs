@@ -1,6 +1,6 @@
 //! Whether paths keep their distances.
 
-use pompeiu_planar::{Outline, Point, segments_meet};
+use pompeiu_planar::{Outline, Point, bounds, from_segment, segments_meet};
 use rayon::prelude::*;
 
 /// The pairs of paths that are nearer than a distance, with their distance, which is 0 where they meet or one lies in the other.
@@ -28,13 +28,6 @@ pub(super) fn too_near(paths: &[Vec<Point>], least: f64) -> Vec<(usize, usize, f
     found.into_iter().flatten().collect()
 }
 
-/// The box around points.
-pub(super) fn bounds(points: &[Point]) -> [Point; 2] {
-    points.iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
-        [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
-    })
-}
-
 fn is_near([a, b]: [Point; 2], [c, d]: [Point; 2], within: f64) -> bool {
     (0..2).all(|k| a[k] <= d[k] + within && c[k] <= b[k] + within)
 }
@@ -56,21 +49,22 @@ fn distance(paths: [&[Point]; 2], boxes: [[Point; 2]; 2], least: f64) -> f64 {
                     return 0.0;
                 }
                 let ends = s.iter().map(|p| (p, t)).chain(t.iter().map(|p| (p, s)));
-                found = ends.map(|(p, side)| to_segment(*p, *side)).fold(found, f64::min);
+                let distance = |(p, side): (&Point, &[Point; 2])| {
+                    let [x, y] = from_segment(*p, *side);
+                    libm::hypot(x, y)
+                };
+                found = ends.map(distance).fold(found, f64::min);
             }
         }
     }
-    let is_in =
-        |a: &[Point], b: &[Point]| Outline::new(b.to_vec()).is_ok_and(|outline| outline.contains(a[0]));
-    if found >= least && (is_in(paths[0], paths[1]) || is_in(paths[1], paths[0])) {
+    // What lies in another one has its box in that one's box: outlines, which are tested for crossings, are made for few pairs.
+    let is_in = |i: usize, j: usize| {
+        let ([a, b], [c, d]) = (boxes[i], boxes[j]);
+        (0..2).all(|k| c[k] <= a[k] && b[k] <= d[k])
+            && Outline::new(paths[j].to_vec()).is_ok_and(|outline| outline.contains(paths[i][0]))
+    };
+    if found >= least && (is_in(0, 1) || is_in(1, 0)) {
         return 0.0;
     }
     found
-}
-
-fn to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let norm_sq = u[0] * u[0] + u[1] * u[1];
-    let t = if norm_sq > 0.0 { ((u[0] * v[0] + u[1] * v[1]) / norm_sq).clamp(0.0, 1.0) } else { 0.0 };
-    libm::hypot(v[0] - t * u[0], v[1] - t * u[1])
 }

@@ -1,8 +1,7 @@
 //! Pieces on a strip, and how deep they lie in each other.
 
-use super::apart::bounds;
 use super::field::Field;
-use pompeiu_planar::Point;
+use pompeiu_planar::{Point, bounds};
 
 /// A piece about its middle.
 pub(super) struct Body {

@@ -1,6 +1,6 @@
 //! How far points are from a piece.
 
-use pompeiu_planar::Point;
+use pompeiu_planar::{Point, bounds, distance_sq_to_segment};
 
 /// Signed distances from a closed path, negative inside, at the nodes of a grid.
 pub(super) struct Field {
@@ -24,11 +24,10 @@ const BLOCK: usize = 4;
 impl Field {
     /// The distances at all nodes up to a distance outside of the box around the path, with some distance between nodes.
     pub(super) fn new(path: &[Point], away: f64, side: f64) -> Self {
-        let bound = |k: usize, f: fn(f64, f64) -> f64, from: f64| path.iter().map(|p| p[k]).fold(from, f);
         // The distance is needed on each side of a node.
         let away = away + side;
-        let low = [0, 1].map(|k| bound(k, f64::min, f64::INFINITY) - away);
-        let high = [0, 1].map(|k| bound(k, f64::max, f64::NEG_INFINITY) + away);
+        let [low, high] = bounds(path);
+        let (low, high) = (low.map(|x| x - away), high.map(|x| x + away));
         let size = [0, 1].map(|k| ((high[k] - low[k]) / side).ceil() as usize + 1);
         // No distance is larger than the box.
         let quantum = (high[0] - low[0]).max(high[1] - low[1]) / f64::from(i16::MAX);
@@ -63,7 +62,7 @@ impl Field {
         let half = 0.5 * (BLOCK - 1) as f64 * side;
         let corner = self.node([x, y], side);
         let middle = corner.map(|from| from + half);
-        let from_middle: Vec<f64> = sides.iter().map(|s| distance_sq(middle, *s).sqrt()).collect();
+        let from_middle: Vec<f64> = sides.iter().map(|s| distance_sq_to_segment(middle, *s).sqrt()).collect();
         // The distance from each node differs from that from the middle by at most half a diagonal.
         let most = from_middle.iter().copied().fold(f64::INFINITY, f64::min) + 3.0 * half;
         let near: Vec<[Point; 2]> =
@@ -71,7 +70,7 @@ impl Field {
         for j in y..(y + BLOCK).min(self.size[1]) {
             for i in x..(x + BLOCK).min(self.size[0]) {
                 let p = self.node([i, j], side);
-                let least = near.iter().map(|s| distance_sq(p, *s)).fold(f64::INFINITY, f64::min);
+                let least = near.iter().map(|s| distance_sq_to_segment(p, *s)).fold(f64::INFINITY, f64::min);
                 self.values[j * self.size[0] + i] = (least.sqrt() / self.quantum) as i16;
             }
         }
@@ -148,15 +147,6 @@ impl Field {
         let scale = self.quantum * self.density;
         Some((self.quantum * (left + s * (right - left)), [(right - left) * scale, (upper - lower) * scale]))
     }
-}
-
-/// The squared distance from a point to a segment.
-fn distance_sq(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let norm_sq = u[0] * u[0] + u[1] * u[1];
-    let t = if norm_sq > 0.0 { ((u[0] * v[0] + u[1] * v[1]) / norm_sq).clamp(0.0, 1.0) } else { 0.0 };
-    let (x, y) = (v[0] - t * u[0], v[1] - t * u[1]);
-    x * x + y * y
 }
 
 #[cfg(test)]

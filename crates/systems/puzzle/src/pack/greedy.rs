@@ -1,9 +1,8 @@
 //! A greedy choice of places, by the cells of a grid.
 
-use super::apart::bounds;
 use super::mask::{Cells, Mask};
 use pompeiu_core::run::Control;
-use pompeiu_planar::Point;
+use pompeiu_planar::{Point, bounds};
 use rayon::prelude::*;
 
 /// Cells for the side of a piece, and for those of more than so many.

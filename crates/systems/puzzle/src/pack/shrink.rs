@@ -1,9 +1,10 @@
 //! Shortening the part of a strip that pieces need.
 
-use super::apart::{bounds, too_near};
+use super::apart::too_near;
 use super::body::Pose;
 use super::strip::Strip;
 use pompeiu_core::run::Control;
+use pompeiu_planar::bounds;
 
 /// How much shorter a strip with up to so many pieces is made at once at first, relative to its length; less with the square root of
 /// their number for more, because all of them have to come apart. What is left of that after each failure, and the least.

@@ -1,7 +1,7 @@
 //! Tables of a metric around a site, computed once for all sites and points.
 
 use super::gauge::{Answer, Variant, gauge};
-use pompeiu_planar::{Outline, Point};
+use pompeiu_planar::{Outline, Point, distance_sq_to_segment};
 use rayon::prelude::*;
 
 /// A function around a site, tabulated on a square, with interpolation.
@@ -37,7 +37,8 @@ impl Map {
         let at = |i: usize| half * (2.0 * i as f64 / (side - 1) as f64 - 1.0);
         let value = |q: Point| match answer {
             Answer::SignedDistance => {
-                let distance_sq = sides.iter().map(|s| distance_sq(q, *s)).fold(f64::INFINITY, f64::min);
+                let distance_sq =
+                    sides.iter().map(|s| distance_sq_to_segment(q, *s)).fold(f64::INFINITY, f64::min);
                 if shape.contains(q) { -distance_sq.sqrt() } else { distance_sq.sqrt() }
             }
             Answer::Least => gauge(shape, q, variant, true),
@@ -118,14 +119,6 @@ impl Map {
         let (c, d) = (f64::from(high[0]), f64::from(high[1]));
         (a, b, c, d, x - column as f64, y - row as f64)
     }
-}
-
-fn distance_sq(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let norm_sq = u[0] * u[0] + u[1] * u[1];
-    let t = ((u[0] * v[0] + u[1] * v[1]) / norm_sq).clamp(0.0, 1.0);
-    let w = [v[0] - t * u[0], v[1] - t * u[1]];
-    w[0] * w[0] + w[1] * w[1]
 }
 
 #[cfg(test)]

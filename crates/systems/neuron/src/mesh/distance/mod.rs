@@ -32,17 +32,19 @@ const MOST_PARTS: f64 = 32.0;
 /// At a ball, neurites begin in its centre with their own radius. Of the surface of the cones, the round ends beyond flat ends of the
 /// mesh are left out. Distances in radii are divided by the radius of the skeleton's ball next to the point.
 /// # Accuracy
-/// Proven, rounding included. `None` if there is no wall, or nothing is wanted.
+/// Proven, rounding included. `None` if there is no wall.
 /// # Cost
 /// Linear in the length of the tree in radii, but for logarithmic factors.
 pub(super) fn wall_distance<const S: usize>(
     skeleton: &Skeleton,
     ends: &[(i64, DVec3)],
     wall: &[Net<S>],
-    (within, wanted): (f64, Option<Wanted>),
+    (within, wanted): (f64, Wanted),
     control: &Control,
 ) -> Option<WallDistance> {
-    let wanted = wanted.filter(|_| !wall.is_empty())?;
+    if wall.is_empty() {
+        return None;
+    }
     let solid = Solid::new(skeleton);
     let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
     let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, ends));
