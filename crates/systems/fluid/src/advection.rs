@@ -2,14 +2,17 @@
 
 use crate::space::Space;
 use crate::{FluidError, Integrator};
+use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
 use pompeiu_surface::plane::{cross, dot};
 
 /// The advected unknowns.
+///
+/// The vorticity is stored as its integrals against hat functions, `M ω`: their rates need no solve.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Unknowns {
-    pub(crate) vorticity: VertexData<f64>,
+    pub(crate) integrals: VertexData<f64>,
     pub(crate) harmonic: Vec<f64>,
 }
 
@@ -22,12 +25,47 @@ impl Unknowns {
     }
 
     fn add(&mut self, s: f64, other: &Self) {
-        for (a, b) in self.vorticity.iter_mut().zip(&other.vorticity) {
+        for (a, b) in self.integrals.iter_mut().zip(&other.integrals) {
             *a += s * b;
         }
         for (a, b) in self.harmonic.iter_mut().zip(&other.harmonic) {
             *a += s * b;
         }
+    }
+}
+
+/// The fields of unknowns.
+#[derive(Clone, Debug)]
+pub(crate) struct Fields {
+    pub(crate) vorticity: VertexData<f64>,
+    pub(crate) stream: VertexData<f64>,
+    pub(crate) velocity: FaceField,
+}
+
+impl Fields {
+    /// The stream function and the velocity of a vorticity. A stored vorticity gives the same bits again.
+    pub(crate) fn of_vorticity(
+        space: &Space<'_>,
+        vorticity: VertexData<f64>,
+        harmonic: &[f64],
+    ) -> Result<Self, FluidError> {
+        let stream = space.stream(&vorticity)?;
+        let velocity = space.velocity(&stream, harmonic);
+        Ok(Self { vorticity, stream, velocity })
+    }
+
+    /// The two solves do not depend on each other.
+    fn of(space: &Space<'_>, unknowns: &Unknowns) -> Result<Self, FluidError> {
+        let (vorticity, stream) = rayon::join(
+            || {
+                let mut vorticity = unknowns.integrals.clone();
+                space.solve_mass(&mut vorticity).map(|()| vorticity)
+            },
+            || space.stream_of_integrals(unknowns.integrals.clone()),
+        );
+        let (vorticity, stream) = (vorticity?, stream?);
+        let velocity = space.velocity(&stream, &unknowns.harmonic);
+        Ok(Self { vorticity, stream, velocity })
     }
 }
 
@@ -39,42 +77,54 @@ impl Unknowns {
 /// the enstrophy and the sum of M ω do not change.
 pub(crate) fn rates(
     space: &Space<'_>,
-    unknowns: &Unknowns,
+    Fields { vorticity, velocity, .. }: &Fields,
     coriolis: Option<&FaceData<f64>>,
-) -> Result<Unknowns, FluidError> {
-    let stream = space.stream(&unknowns.vorticity)?;
-    let velocity = space.velocity(&stream, &unknowns.harmonic);
-    rates_at(space, &unknowns.vorticity, &velocity, coriolis)
+) -> Unknowns {
+    let mesh = space.mesh();
+    let mut integrals = VertexData::filled(mesh.vertices(), 0.0);
+    for (face, &u) in velocity.entries() {
+        let corners = mesh.face(face);
+        let mean = mean_on(space, vorticity, coriolis, face);
+        let sides = space.surface.sides(face);
+        // A u · ∇φ = ½ s × u, with s the side opposite to the vertex of the hat function φ.
+        for (i, v) in corners.into_iter().enumerate() {
+            integrals[v] += 0.5 * mean * cross(sides[(i + 1) % 3], u);
+        }
+    }
+    leave(space, vorticity, coriolis, &mut integrals);
+    Unknowns { integrals, harmonic: harmonic_rates(space, vorticity, velocity, coriolis) }
 }
 
-/// The rates of change for a given velocity.
-pub(crate) fn rates_at(
+/// The rates of change of the harmonic coefficients.
+pub(crate) fn harmonic_rates(
     space: &Space<'_>,
     vorticity: &VertexData<f64>,
     velocity: &FaceField,
     coriolis: Option<&FaceData<f64>>,
-) -> Result<Unknowns, FluidError> {
-    let mesh = space.mesh();
+) -> Vec<f64> {
     let fields = space.basis.fields();
     let mut harmonic = vec![0.0; fields.len()];
-    let mut rate = VertexData::filled(mesh.vertices(), 0.0);
+    if fields.is_empty() {
+        return harmonic;
+    }
     for (face, &u) in velocity.entries() {
-        let corners = mesh.face(face);
-        let [a, b, c] = corners.map(|v| vorticity[v]);
-        let mean = (a + b + c) / 3.0 + coriolis.map_or(0.0, |f| f[face]);
-        let sides = space.surface.sides(face);
-        // A u · ∇φ = ½ s × u, with s the side opposite to the vertex of the hat function φ.
-        for (i, v) in corners.into_iter().enumerate() {
-            rate[v] += 0.5 * mean * cross(sides[(i + 1) % 3], u);
-        }
-        let weighted = mean * space.surface.face_area(face);
+        let weighted = mean_on(space, vorticity, coriolis, face) * space.surface.face_area(face);
         for (rate, field) in harmonic.iter_mut().zip(fields) {
             *rate += dot(crate::space::to_the_right(weighted, u), field[face]);
         }
     }
-    leave(space, vorticity, coriolis, &mut rate);
-    space.solve_mass(&mut rate)?;
-    Ok(Unknowns { vorticity: rate, harmonic })
+    harmonic
+}
+
+/// The mean of the vorticity at the corners of a face, plus the rotation of the surface.
+fn mean_on(
+    space: &Space<'_>,
+    vorticity: &VertexData<f64>,
+    coriolis: Option<&FaceData<f64>>,
+    face: FaceId,
+) -> f64 {
+    let [a, b, c] = space.mesh().face(face).map(|v| vorticity[v]);
+    (a + b + c) / 3.0 + coriolis.map_or(0.0, |f| f[face])
 }
 
 /// Subtracts the vorticity that leaves through the boundary, `∮ φ ω u·n`. Inflow carries no vorticity except that of the rotation
@@ -105,23 +155,27 @@ pub(crate) fn substep_cfl(integrator: Integrator) -> f64 {
     }
 }
 
-/// The unknowns after some time, computed in substeps.
+/// The harmonic coefficients and the fields after some time, computed in substeps, from those at the start.
 pub(crate) fn advect(
     space: &Space<'_>,
-    mut unknowns: Unknowns,
+    (harmonic, mut fields): (Vec<f64>, Fields),
     coriolis: Option<&FaceData<f64>>,
     integrator: Integrator,
     time: f64,
     substeps: usize,
-) -> Result<Unknowns, AdvectionError> {
+) -> Result<(Vec<f64>, Fields), AdvectionError> {
     let step = time / substeps as f64;
+    let mut unknowns = Unknowns { integrals: space.integrated(&fields.vorticity), harmonic };
     for _ in 0..substeps {
         unknowns = match integrator {
-            Integrator::RungeKutta => runge_kutta(space, &unknowns, coriolis, step)?,
+            Integrator::RungeKutta => runge_kutta(space, &unknowns, &fields, coriolis, step)?,
             Integrator::ImplicitMidpoint => midpoint(space, &unknowns, coriolis, step, MOST_HALVINGS)?,
         };
+        let mut vorticity = unknowns.integrals.clone();
+        space.solve_mass(&mut vorticity)?;
+        fields = Fields::of_vorticity(space, vorticity, &unknowns.harmonic)?;
     }
-    Ok(unknowns)
+    Ok((unknowns.harmonic, fields))
 }
 
 /// Why advection failed.
@@ -140,13 +194,15 @@ impl From<FluidError> for AdvectionError {
 fn runge_kutta(
     space: &Space<'_>,
     at: &Unknowns,
+    fields: &Fields,
     coriolis: Option<&FaceData<f64>>,
     step: f64,
 ) -> Result<Unknowns, FluidError> {
-    let k1 = rates(space, at, coriolis)?;
-    let k2 = rates(space, &at.plus(0.5 * step, &k1), coriolis)?;
-    let k3 = rates(space, &at.plus(0.5 * step, &k2), coriolis)?;
-    let k4 = rates(space, &at.plus(step, &k3), coriolis)?;
+    let rates_at = |at: &Unknowns| Ok::<_, FluidError>(rates(space, &Fields::of(space, at)?, coriolis));
+    let k1 = rates(space, fields, coriolis);
+    let k2 = rates_at(&at.plus(0.5 * step, &k1))?;
+    let k3 = rates_at(&at.plus(0.5 * step, &k2))?;
+    let k4 = rates_at(&at.plus(step, &k3))?;
     let mut after = at.plus(step / 6.0, &k1);
     after.add(step / 3.0, &k2);
     after.add(step / 3.0, &k3);
@@ -178,7 +234,7 @@ fn midpoint(
     let mut middle = at.clone();
     let mut last = f64::INFINITY;
     for _ in 0..MOST_ITERATIONS {
-        let next = at.plus(0.5 * step, &rates(space, &middle, coriolis)?);
+        let next = at.plus(0.5 * step, &rates(space, &Fields::of(space, &middle)?, coriolis));
         let change = self::size(space, &next.plus(-1.0, &middle));
         let settled = change <= CONVERGED * size || (change <= ACCEPTED * size && change >= 0.5 * last);
         middle = next;
@@ -202,7 +258,7 @@ fn midpoint(
 
 /// A norm of the unknowns: vorticity by area, harmonic coefficients by a length of one edge.
 fn size(space: &Space<'_>, unknowns: &Unknowns) -> f64 {
-    let vorticity: f64 = unknowns.vorticity.iter().zip(&space.areas).map(|(w, area)| area * w * w).sum();
+    let vorticity: f64 = unknowns.integrals.iter().zip(&space.areas).map(|(w, area)| w * w / area).sum();
     let harmonic: f64 = unknowns.harmonic.iter().map(|c| c * c).sum();
     (vorticity + harmonic / (space.edge_length * space.edge_length)).sqrt()
 }

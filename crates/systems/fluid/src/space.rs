@@ -123,10 +123,15 @@ impl<'s> Space<'s> {
 
     /// The stream function of a vorticity.
     pub(crate) fn stream(&self, vorticity: &VertexData<f64>) -> Result<VertexData<f64>, FluidError> {
-        let mut stream = self.integrated(vorticity);
-        for value in &mut stream {
-            *value = -*value;
-        }
+        self.stream_of_integrals(self.integrated(vorticity))
+    }
+
+    /// The stream function of the integrals of a vorticity against hat functions.
+    pub(crate) fn stream_of_integrals(
+        &self,
+        mut stream: VertexData<f64>,
+    ) -> Result<VertexData<f64>, FluidError> {
+        stream.iter_mut().for_each(|value| *value = -*value);
         self.poisson.solve_in_place(&mut stream)?;
         Ok(stream)
     }

@@ -5,7 +5,7 @@ use super::velocity::mean;
 use super::{MOST_SUBSTEPS, Simulation};
 use crate::faces::FaceDiffusion;
 use crate::space::Space;
-use crate::transport::{Backtrace, restore_mass};
+use crate::transport::{Backtrace, Departures, Passage, restore_mass};
 use crate::{FluidError, Transport};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
@@ -39,28 +39,28 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// Sources, diffusion and transport, with the mean of two velocities.
-    pub(super) fn move_densities(&mut self, before: &FaceField, step: f64) -> Result<(), FluidError> {
+    /// Sources, diffusion and transport: where the vorticity was traced back, densities at vertices come from the same points;
+    /// otherwise with the mean of two velocities.
+    pub(super) fn move_densities(
+        &mut self,
+        before: &FaceField,
+        traced: Option<Passage<Departures>>,
+        step: f64,
+    ) -> Result<(), FluidError> {
         if self.state.densities.is_empty() {
             return Ok(());
         }
-        let velocity = mean(before, &self.state.velocity);
-        match self.options.transport {
-            Transport::Faces => return self.move_on_faces(&velocity, step),
-            Transport::FluxCorrected => {
-                let cfl = self.space.cells(&velocity).cfl(step);
-                if cfl > MOST_SUBSTEPS as f64 {
-                    let (number, most) = (self.state.step + 1, MOST_SUBSTEPS);
-                    return Err(FluidError::StepTooLong {
-                        step: number,
-                        length: step,
-                        cfl,
-                        substeps: cfl,
-                        most,
-                    });
-                }
-            }
-            Transport::SemiLagrangian | Transport::SemiLagrangianCorrected => {}
+        let velocity = || mean(before, &self.state.velocity);
+        if self.options.transport == Transport::Faces {
+            let velocity = velocity();
+            return self.move_on_faces(&velocity, step);
+        }
+        let by_flux = self.options.transport == Transport::FluxCorrected;
+        let cells = by_flux.then(|| self.space.cells(&velocity()));
+        let cfl = cells.as_ref().map_or(0.0, |cells| cells.cfl(step));
+        if cfl > MOST_SUBSTEPS as f64 {
+            let (number, most) = (self.state.step + 1, MOST_SUBSTEPS);
+            return Err(FluidError::StepTooLong { step: number, length: step, cfl, substeps: cfl, most });
         }
         for (values, (density, heat)) in
             self.state.densities.iter_mut().zip(self.options.densities.iter().zip(&self.heat))
@@ -73,23 +73,23 @@ impl Simulation<'_> {
                 factor.solve_in_place(values)?;
             }
         }
-        let traced = self.options.transport != Transport::FluxCorrected;
-        if let Some(backtrace) = self.backtrace.as_ref().filter(|_| traced) {
-            self.state.densities = self.trace_back(backtrace, &velocity, step);
-        } else {
-            let cells = self.space.cells(&velocity);
+        if let Some(cells) = cells {
             self.state.densities.iter_mut().for_each(|values| self.space.carry(&cells, values, step));
+        } else if let Some(backtrace) = &self.backtrace {
+            let passage = traced.unwrap_or_else(|| {
+                let velocity = mean(before, &self.state.velocity);
+                backtrace.passage(&backtrace.at_vertices(&velocity), step, self.options.correction)
+            });
+            self.state.densities = self.trace_back(backtrace, &passage);
         }
         Ok(())
     }
 
     /// The densities at vertices after semi-Lagrangian transport.
-    fn trace_back(&self, backtrace: &Backtrace<'_>, velocity: &FaceField, step: f64) -> Vec<VertexData<f64>> {
+    fn trace_back(&self, backtrace: &Backtrace<'_>, passage: &Passage<Departures>) -> Vec<VertexData<f64>> {
         let areas = &self.space.areas;
-        let at_vertices = backtrace.at_vertices(velocity);
-        let passage = backtrace.passage(&at_vertices, step, self.options.correction);
         let carry = |values: &VertexData<f64>| {
-            let mut carried = backtrace.carry(&passage, values);
+            let mut carried = backtrace.carry(passage, values);
             if self.options.transport == Transport::SemiLagrangianCorrected {
                 let mass = values.iter().zip(areas).map(|(x, a)| x * a).sum();
                 restore_mass(areas, &mut carried, mass, |v| backtrace.range(&passage.from, values, v));

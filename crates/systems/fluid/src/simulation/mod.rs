@@ -7,7 +7,7 @@ mod velocity;
 pub(crate) use densities::add_source;
 
 use crate::FluidError;
-use crate::advection::Unknowns;
+use crate::advection::Fields;
 use crate::curvature::CurvatureLimit;
 use crate::edges::EdgeField;
 use crate::options::{FluidOptions, Scheme, TimeStep, Transport};
@@ -20,6 +20,7 @@ use pompeiu_core::run::Instant;
 use pompeiu_operators::{FaceField, check_field};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
+use velocity::Advected;
 
 /// Largest number of substeps of a step.
 const MOST_SUBSTEPS: usize = 100_000;
@@ -171,8 +172,9 @@ impl<'s> Simulation<'s> {
         check_field(self.space.mesh(), field)?;
         let parts = self.space.project(field)?;
         // Slip along the boundary before the first viscous step is not vorticity.
-        let along = self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic));
-        self.set_parts(parts, &along)?;
+        let velocity = self.space.velocity(&parts.stream, &parts.harmonic);
+        let along = self.space.boundary_circulation(&velocity);
+        self.set_parts(parts, velocity, &along)?;
         self.take_edges();
         Ok(())
     }
@@ -201,9 +203,9 @@ impl<'s> Simulation<'s> {
         if harmonic.len() != expected {
             return Err(FluidError::Harmonic { found: harmonic.len(), expected });
         }
-        let mut unknowns = Unknowns { vorticity: vorticity.clone(), harmonic: harmonic.to_vec() };
-        self.without_mean(&mut unknowns.vorticity);
-        self.adopt(unknowns)?;
+        let mut vorticity = vorticity.clone();
+        self.without_mean(&mut vorticity);
+        self.take_vorticity(vorticity, harmonic.to_vec())?;
         self.take_edges();
         Ok(())
     }
@@ -297,17 +299,17 @@ impl<'s> Simulation<'s> {
         let cells = self.space.cells(&self.state.velocity);
         let cfl = cells.cfl(step);
         let diffused_velocity = self.moves_edges().then(|| self.state.velocity.clone());
-        let (unknowns, substeps) = self.advect(step, cfl)?;
+        let Advected { harmonic, fields, substeps, passage } = self.advect(step, cfl)?;
         let advected = Instant::now();
         self.timing.advect += advected - diffused;
-        self.adopt(unknowns)?;
+        self.adopt(harmonic, fields);
         self.check_finite(&before)?;
         if let Some(diffused) = diffused_velocity {
             self.move_edges(&diffused);
         }
         let projected = Instant::now();
         self.timing.project += projected - advected;
-        self.move_densities(&before, step)?;
+        self.move_densities(&before, passage, step)?;
         let carried = Instant::now();
         self.timing.advect += carried - projected;
         self.state.step += 1;
@@ -340,20 +342,29 @@ impl<'s> Simulation<'s> {
         })
     }
 
-    /// Sets the velocity from its parts.
-    fn set_parts(&mut self, parts: Parts, circulation: &VertexData<f64>) -> Result<(), FluidError> {
-        self.state.vorticity = self.space.vorticity(&parts, circulation)?;
-        self.state.velocity = self.space.velocity(&parts.stream, &parts.harmonic);
-        (self.state.stream, self.state.harmonic) = (parts.stream, parts.harmonic);
+    /// Sets the velocity, which has these parts.
+    fn set_parts(
+        &mut self,
+        parts: Parts,
+        velocity: FaceField,
+        circulation: &VertexData<f64>,
+    ) -> Result<(), FluidError> {
+        let vorticity = self.space.vorticity(&parts, circulation)?;
+        self.adopt(parts.harmonic, Fields { vorticity, stream: parts.stream, velocity });
         Ok(())
     }
 
     /// Sets the vorticity, and the velocity from it.
-    fn adopt(&mut self, unknowns: Unknowns) -> Result<(), FluidError> {
-        self.state.stream = self.space.stream(&unknowns.vorticity).map_err(|error| self.or_blew_up(error))?;
-        self.state.velocity = self.space.velocity(&self.state.stream, &unknowns.harmonic);
-        (self.state.vorticity, self.state.harmonic) = (unknowns.vorticity, unknowns.harmonic);
+    fn take_vorticity(&mut self, vorticity: VertexData<f64>, harmonic: Vec<f64>) -> Result<(), FluidError> {
+        let fields = Fields::of_vorticity(&self.space, vorticity, &harmonic);
+        self.adopt(harmonic, fields.map_err(|error| self.or_blew_up(error))?);
         Ok(())
+    }
+
+    fn adopt(&mut self, harmonic: Vec<f64>, Fields { vorticity, stream, velocity }: Fields) {
+        let state = &mut self.state;
+        (state.harmonic, state.vorticity, state.stream, state.velocity) =
+            (harmonic, vorticity, stream, velocity);
     }
 
     /// Replaces errors about right-hand sides that are not finite: velocities were the cause.

@@ -1,17 +1,26 @@
 //! Advancing the velocity: forces, viscosity, advection.
 
 use super::diffusion::{Power, Viscous};
-use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation};
-use crate::advection::{self, AdvectionError, Unknowns};
+use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation, State};
+use crate::advection::{self, AdvectionError, Fields};
 use crate::edges::{self, EdgeViscosity};
 use crate::faces::FaceDiffusion;
 use crate::space::Parts;
-use crate::transport::Backtrace;
+use crate::transport::{Backtrace, Departures, Passage};
 use crate::viscosity::Viscosity;
 use crate::{Correction, FluidError, Integrator, Scheme, TimeStep, Wall, force};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::{FaceField, add_scaled};
 use pompeiu_surface::plane::{add, rotate, scale, sub};
+
+/// What advection results in.
+pub(super) struct Advected {
+    pub(super) harmonic: Vec<f64>,
+    pub(super) fields: Fields,
+    pub(super) substeps: usize,
+    /// Where the vorticity comes from, where it was traced back.
+    pub(super) passage: Option<Passage<Departures>>,
+}
 
 impl Simulation<'_> {
     /// The length of the next step.
@@ -73,15 +82,11 @@ impl Simulation<'_> {
         }
         let (mut vorticity, harmonic) = self.space.curl_of_force(&force)?;
         self.space.solve_mass(&mut vorticity)?;
-        let mut unknowns =
-            Unknowns { vorticity: self.state.vorticity.clone(), harmonic: self.state.harmonic.clone() };
-        for (w, rate) in unknowns.vorticity.iter_mut().zip(&vorticity) {
-            *w += step * rate;
+        for (w, before) in vorticity.iter_mut().zip(&self.state.vorticity) {
+            *w = before + step * *w;
         }
-        for (c, rate) in unknowns.harmonic.iter_mut().zip(&harmonic) {
-            *c += step * rate;
-        }
-        self.adopt(unknowns)
+        let harmonic = self.state.harmonic.iter().zip(&harmonic).map(|(c, rate)| c + step * rate).collect();
+        self.take_vorticity(vorticity, harmonic)
     }
 
     /// Applies viscosity; returns whether the energy had to be limited.
@@ -101,22 +106,22 @@ impl Simulation<'_> {
                 self.space.project(&viscosity.vectors(self.space.surface, &self.state.velocity)?)?
             }
         };
-        let energy = |parts: &Parts| self.space.energy(&self.space.velocity(&parts.stream, &parts.harmonic));
-        let [old, new] = [&before, &parts].map(energy);
         let driven = self.options.wall_velocity.is_some() || self.options.inflow.is_some();
+        let old = self.space.energy(&self.state.velocity);
+        let mut velocity = self.space.velocity(&parts.stream, &parts.harmonic);
+        let new = self.space.energy(&velocity);
         let guarded = new > old && !driven;
         if guarded {
             let factor = (old / new).sqrt();
             parts.stream.iter_mut().chain(&mut parts.harmonic).for_each(|x| *x *= factor);
+            velocity = self.space.velocity(&parts.stream, &parts.harmonic);
             edges.iter_mut().flatten().for_each(|u| *u = scale(factor, *u));
         }
         let circulation = match self.options.wall {
             Wall::NoSlip => self.circulation.clone(),
-            Wall::FreeSlip => {
-                self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic))
-            }
+            Wall::FreeSlip => self.space.boundary_circulation(&velocity),
         };
-        self.set_parts(parts, &circulation)?;
+        self.set_parts(parts, velocity, &circulation)?;
         if let Some(edges) = edges {
             self.state.edge_velocity = edges;
         }
@@ -145,25 +150,28 @@ impl Simulation<'_> {
     }
 
     /// Advection of the velocity.
-    pub(super) fn advect(&self, step: f64, cfl: f64) -> Result<(Unknowns, usize), FluidError> {
+    pub(super) fn advect(&self, step: f64, cfl: f64) -> Result<Advected, FluidError> {
         let state = &self.state;
-        let unknowns = Unknowns { vorticity: state.vorticity.clone(), harmonic: state.harmonic.clone() };
         let coriolis = self.options.coriolis.as_ref();
         match (self.options.scheme, &self.backtrace) {
-            (Scheme::AnyStep, Some(back)) => {
-                return Ok((self.advect_back(back, &unknowns, coriolis, step)?, 1));
-            }
-            (Scheme::Faces, Some(back)) => return Ok((self.advect_faces(back, coriolis, step)?, 1)),
+            (Scheme::AnyStep, Some(back)) => return self.advect_back(back, coriolis, step),
+            (Scheme::Faces, Some(back)) => return self.advect_faces(back, coriolis, step),
             _ => {}
         }
+        let fields = Fields {
+            vorticity: state.vorticity.clone(),
+            stream: state.stream.clone(),
+            velocity: state.velocity.clone(),
+        };
         let integrator = self.options.integrator;
         let substeps = self.substeps(integrator, step, cfl)?;
-        let advected = advection::advect(&self.space, unknowns, coriolis, integrator, step, substeps);
-        let advected = advected.map_err(|error| match error {
+        let start = (state.harmonic.clone(), fields);
+        let advected = advection::advect(&self.space, start, coriolis, integrator, step, substeps);
+        let (harmonic, fields) = advected.map_err(|error| match error {
             AdvectionError::Midpoint(residual) => FluidError::Midpoint { step: state.step + 1, residual },
             AdvectionError::Other(error) => self.or_blew_up(error),
         })?;
-        Ok((advected, substeps))
+        Ok(Advected { harmonic, fields, substeps, passage: None })
     }
 
     fn substeps(&self, integrator: Integrator, step: f64, cfl: f64) -> Result<usize, FluidError> {
@@ -179,36 +187,31 @@ impl Simulation<'_> {
     fn advect_back(
         &self,
         backtrace: &Backtrace<'_>,
-        before: &Unknowns,
         coriolis: Option<&FaceData<f64>>,
         step: f64,
-    ) -> Result<Unknowns, FluidError> {
+    ) -> Result<Advected, FluidError> {
+        let State { vorticity: before, harmonic: start, velocity, .. } = &self.state;
         let rotation = coriolis.map(|f| backtrace.vertex_means(f));
-        let absolute = VertexData::from_fn(before.vorticity.len(), |v| {
-            before.vorticity[v] + rotation.as_ref().map_or(0.0, |f| f[v])
-        });
-        let mut velocity = self.state.velocity.clone();
-        let mut vorticity = before.vorticity.clone();
-        let mut after = before.clone();
-        for _ in 0..2 {
-            let at_vertices = backtrace.at_vertices(&velocity);
-            let passage = backtrace.passage(&at_vertices, step, self.options.correction);
-            after.vorticity = backtrace.carry(&passage, &absolute);
+        let absolute =
+            VertexData::from_fn(before.len(), |v| before[v] + rotation.as_ref().map_or(0.0, |f| f[v]));
+        // Where the vorticity goes with a velocity, and the harmonic coefficients at the rates of a vorticity and a velocity.
+        let moved = |at: &VertexData<f64>, along: &FaceField, correction| {
+            let passage = backtrace.passage(&backtrace.at_vertices(along), step, correction);
+            let mut vorticity = backtrace.carry(&passage, &absolute);
             if let Some(rotation) = &rotation {
-                after.vorticity.iter_mut().zip(rotation).for_each(|(w, f)| *w -= f);
+                vorticity.iter_mut().zip(rotation).for_each(|(w, f)| *w -= f);
             }
-            self.without_mean(&mut after.vorticity);
-            let rates = advection::rates_at(&self.space, &vorticity, &velocity, coriolis)?;
-            for ((c, start), rate) in after.harmonic.iter_mut().zip(&before.harmonic).zip(&rates.harmonic) {
-                *c = start + step * rate;
-            }
-            let stream = self.space.stream(&after.vorticity)?;
-            let next = self.space.velocity(&stream, &after.harmonic);
-            velocity = mean(&self.state.velocity, &next);
-            vorticity =
-                VertexData::from_fn(vorticity.len(), |v| 0.5 * (before.vorticity[v] + after.vorticity[v]));
-        }
-        Ok(after)
+            self.without_mean(&mut vorticity);
+            let rates = advection::harmonic_rates(&self.space, at, along, coriolis);
+            let harmonic: Vec<f64> = start.iter().zip(rates).map(|(c, rate)| c + step * rate).collect();
+            let fields = Fields::of_vorticity(&self.space, vorticity, &harmonic);
+            let fields = fields.map_err(|error| self.or_blew_up(error))?;
+            Ok::<_, FluidError>(Advected { harmonic, fields, substeps: 1, passage: Some(passage) })
+        };
+        // The first result only gives the velocity halfway, which the second one starts from.
+        let guess = moved(before, velocity, Correction::Linear)?.fields;
+        let middle = VertexData::from_fn(before.len(), |v| 0.5 * (before[v] + guess.vorticity[v]));
+        moved(&middle, &mean(velocity, &guess.velocity), self.options.correction)
     }
 
     /// Semi-Lagrangian advection of the velocity on faces, and the subsequent projection.
@@ -220,7 +223,7 @@ impl Simulation<'_> {
         backtrace: &Backtrace<'_>,
         coriolis: Option<&FaceData<f64>>,
         step: f64,
-    ) -> Result<Unknowns, FluidError> {
+    ) -> Result<Advected, FluidError> {
         let project = |field: &FaceField| self.space.project(field).map_err(|error| self.or_blew_up(error));
         let velocity = &self.state.velocity;
         let parts = if self.options.correction == Correction::Linear {
@@ -232,9 +235,11 @@ impl Simulation<'_> {
             let reflected = FaceField::from_fn(half.len(), |f| sub(scale(2.0, middle[f]), half[f]));
             project(&self.carry(backtrace, &middle, &reflected, coriolis, 0.5 * step))?
         };
-        let along = self.space.boundary_circulation(&self.space.velocity(&parts.stream, &parts.harmonic));
-        let vorticity = self.space.vorticity(&parts, &along)?;
-        Ok(Unknowns { vorticity, harmonic: parts.harmonic })
+        let velocity = self.space.velocity(&parts.stream, &parts.harmonic);
+        let vorticity = self.space.vorticity(&parts, &self.space.boundary_circulation(&velocity))?;
+        let fields = Fields::of_vorticity(&self.space, vorticity, &parts.harmonic);
+        let fields = fields.map_err(|error| self.or_blew_up(error))?;
+        Ok(Advected { harmonic: parts.harmonic, fields, substeps: 1, passage: None })
     }
 
     /// A field on faces transported with a velocity, and rotated by the rotation of the surface.

@@ -119,7 +119,7 @@ impl Square {
         let timing = &mut self.timing;
         match &mut self.grid {
             Grid::Mac { mac, velocity, areas } => {
-                let cells = Cells::new(mac.ends(), areas, mac.flows(velocity));
+                let cells = Cells::new(mac.ends(), areas, &mac.flows(velocity));
                 let cfl = cells.cfl(dt);
                 if cfl > MOST_SUBSTEPS && !self.densities.is_empty() {
                     return Err(FluidError::StepTooLong {

@@ -17,6 +17,9 @@ pub(super) enum Ghosts {
     OddAlongY,
 }
 
+/// Number of Gauss–Seidel sweeps that run at once: enough that additions of one sweep do not wait for those of another.
+const TOGETHER: usize = 4;
+
 /// The grid with its linear systems.
 #[derive(Debug)]
 pub(super) struct Stam {
@@ -63,21 +66,34 @@ impl Stam {
     /// Sets ghost cells.
     pub(super) fn set_edges(&self, ghosts: Ghosts, x: &mut [f64]) {
         let n = self.n;
-        for i in 1..=n {
-            let (horizontal, vertical) = match (self.periodic, ghosts) {
-                (true, _) | (_, Ghosts::Even) => (1.0, 1.0),
-                (_, Ghosts::OddAlongX) => (-1.0, 1.0),
-                (_, Ghosts::OddAlongY) => (1.0, -1.0),
-            };
-            let (first, last) = if self.periodic { (n, 1) } else { (1, n) };
-            x[self.at(0, i)] = horizontal * x[self.at(first, i)];
-            x[self.at(n + 1, i)] = horizontal * x[self.at(last, i)];
-            x[self.at(i, 0)] = vertical * x[self.at(i, first)];
-            x[self.at(i, n + 1)] = vertical * x[self.at(i, last)];
+        for j in 1..=n {
+            self.set_ends(ghosts, j, x);
         }
-        for (i, j) in [(0, 0), (0, n + 1), (n + 1, 0), (n + 1, n + 1)] {
-            let (beside, above) = (if i == 0 { 1 } else { n }, if j == 0 { 1 } else { n });
-            x[self.at(i, j)] = 0.5 * (x[self.at(beside, j)] + x[self.at(i, above)]);
+        for j in [0, n + 1] {
+            self.set_row_beyond(ghosts, j, x);
+            for i in [0, n + 1] {
+                let (beside, above) = (if i == 0 { 1 } else { n }, if j == 0 { 1 } else { n });
+                x[self.at(i, j)] = 0.5 * (x[self.at(beside, j)] + x[self.at(i, above)]);
+            }
+        }
+    }
+
+    /// Sets the ghost cells at both ends of a row.
+    fn set_ends(&self, ghosts: Ghosts, j: usize, x: &mut [f64]) {
+        let n = self.n;
+        let sign = if !self.periodic && ghosts == Ghosts::OddAlongX { -1.0 } else { 1.0 };
+        let (first, last) = if self.periodic { (n, 1) } else { (1, n) };
+        x[self.at(0, j)] = sign * x[self.at(first, j)];
+        x[self.at(n + 1, j)] = sign * x[self.at(last, j)];
+    }
+
+    /// Sets the ghost cells of the row below or above all others, but for its ends.
+    fn set_row_beyond(&self, ghosts: Ghosts, j: usize, x: &mut [f64]) {
+        let n = self.n;
+        let sign = if !self.periodic && ghosts == Ghosts::OddAlongY { -1.0 } else { 1.0 };
+        let from = if (j == 0) == self.periodic { n } else { 1 };
+        for i in 1..=n {
+            x[self.at(i, j)] = sign * x[self.at(i, from)];
         }
     }
 
@@ -100,19 +116,63 @@ impl Stam {
     }
 
     /// Gauss–Seidel sweeps for `(1 + 4a) x − a Σ x = x0`; ghost cells are set after each.
+    ///
+    /// Each cell waits for the one before it in its row. Therefore several sweeps run at once, each two rows behind the one before:
+    /// their rows do not touch, and the values are those of one sweep after the other. With periodic edges a sweep starts from the
+    /// last row of the one before.
     fn sweep(&self, ghosts: Ghosts, x: &mut [f64], x0: &[f64], [a, c]: [f64; 2], sweeps: usize) {
         let n = self.n;
-        for _ in 0..sweeps {
-            for j in 1..=n {
-                for i in 1..=n {
-                    let around = x[self.at(i - 1, j)]
-                        + x[self.at(i + 1, j)]
-                        + x[self.at(i, j - 1)]
-                        + x[self.at(i, j + 1)];
-                    x[self.at(i, j)] = (x0[self.at(i, j)] + a * around) / c;
+        let together = if self.periodic { 1 } else { TOGETHER };
+        for first in (0..sweeps).step_by(together) {
+            let count = together.min(sweeps - first);
+            for ahead in 1..=n + 2 * (count - 1) {
+                let row = |sweep: usize| ahead.checked_sub(2 * sweep).filter(|row| (1..=n).contains(row));
+                if let [Some(p), Some(q), Some(r), Some(s)] = [0, 1, 2, 3].map(row)
+                    && count == TOGETHER
+                {
+                    self.sweep_rows(ghosts, [p, q, r, s], x, x0, [a, c]);
+                } else {
+                    (0..count).filter_map(row).for_each(|row| self.sweep_rows(ghosts, [row], x, x0, [a, c]));
                 }
             }
-            self.set_edges(ghosts, x);
+            if self.periodic {
+                self.set_edges(ghosts, x);
+            }
+        }
+        self.set_edges(ghosts, x);
+    }
+
+    /// A Gauss–Seidel sweep over rows that do not touch, and their ghost cells where edges are not periodic.
+    fn sweep_rows<const K: usize>(
+        &self,
+        ghosts: Ghosts,
+        rows: [usize; K],
+        x: &mut [f64],
+        x0: &[f64],
+        [a, c]: [f64; 2],
+    ) {
+        let width = self.n + 2;
+        let starts = rows.map(|row| width * row);
+        let mut left = starts.map(|start| x[start]);
+        for i in 1..=self.n {
+            for (start, left) in starts.iter().zip(&mut left) {
+                let at = start + i;
+                let around = *left + x[at + 1] + x[at - width] + x[at + width];
+                *left = (x0[at] + a * around) / c;
+                x[at] = *left;
+            }
+        }
+        if self.periodic {
+            return;
+        }
+        for row in rows {
+            self.set_ends(ghosts, row, x);
+            if row == 1 {
+                self.set_row_beyond(ghosts, 0, x);
+            }
+            if row == self.n {
+                self.set_row_beyond(ghosts, self.n + 1, x);
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::Correction;
 use crate::report::range;
-use pompeiu_core::mesh::VertexData;
+use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_core::{FaceId, VertexId};
 use pompeiu_operators::FaceField;
 use pompeiu_surface::plane::{Rotation, Vec2, add, inverse, norm, rotate, scale};
@@ -20,8 +20,22 @@ pub(crate) struct Backtrace<'s> {
     tracer: Tracer<'s>,
     /// From the frame of a face to that of the vertex at its corner.
     to_vertex: CornerData<Rotation>,
-    /// For each corner the angle at which its face begins, in the frame of the vertex, and the scaling of angles.
-    sectors: CornerData<[f64; 2]>,
+    /// The sectors of all vertices, one vertex after the other, and where each vertex begins.
+    sectors: Vec<Sector>,
+    starts: Vec<usize>,
+    /// What the angles around each vertex are multiplied by.
+    stretch: VertexData<f64>,
+}
+
+/// A corner of a face as part of the tangent plane of its vertex.
+#[derive(Clone, Copy, Debug)]
+struct Sector {
+    /// The half-edge that leaves the vertex along the side where the sector begins.
+    halfedge: HalfedgeId,
+    /// The angle at which it begins, in the frame of the vertex.
+    from: f64,
+    /// The share of the face in the area of all faces around the vertex.
+    share: f64,
 }
 
 /// Departure points: a face and barycentric coordinates for each vertex.
@@ -47,37 +61,59 @@ impl<'s> Backtrace<'s> {
     pub(crate) fn new(surface: &'s Surface) -> Self {
         let mesh = surface.mesh();
         let mut to_vertex = CornerData::filled(mesh.halfedges(), [1.0, 0.0]);
-        let mut sectors = CornerData::filled(mesh.halfedges(), [0.0, 1.0]);
+        let mut sectors: Vec<Sector> = Vec::with_capacity(mesh.halfedges());
+        let mut starts = Vec::with_capacity(mesh.vertices() + 1);
+        let stretch = VertexData::from_fn(mesh.vertices(), |v| {
+            if mesh.is_boundary_vertex(v) { 1.0 } else { TAU / surface.total_angle(v) }
+        });
         for v in mesh.vertex_ids() {
-            let stretch = if mesh.is_boundary_vertex(v) { 1.0 } else { TAU / surface.total_angle(v) };
+            starts.push(sectors.len());
+            let area: f64 = mesh.outgoing(v).map(|h| surface.face_area(h.face())).sum();
             let mut from = 0.0;
-            for h in mesh.outgoing(v) {
-                let angle = stretch * surface.angle(h);
-                sectors[h] = [from, stretch];
+            for halfedge in mesh.outgoing(v) {
+                let angle = stretch[v] * surface.angle(halfedge);
+                sectors.push(Sector { halfedge, from, share: surface.face_area(halfedge.face()) / area });
                 // The bisector of the corner is the same direction in both frames.
-                let along = surface.vector(h);
-                let in_face = libm::atan2(along[1], along[0]) + 0.5 * surface.angle(h);
+                let along = surface.vector(halfedge);
+                let in_face = libm::atan2(along[1], along[0]) + 0.5 * surface.angle(halfedge);
                 let turn = from + 0.5 * angle - in_face;
-                to_vertex[h] = [libm::cos(turn), libm::sin(turn)];
+                to_vertex[halfedge] = [libm::cos(turn), libm::sin(turn)];
                 from += angle;
             }
         }
+        starts.push(sectors.len());
         let tracer = Tracer::new(surface, &TraceOptions::default());
-        Self { surface, tracer, to_vertex, sectors }
+        Self { surface, tracer, to_vertex, sectors, starts, stretch }
+    }
+
+    /// The sectors around a vertex.
+    fn sectors(&self, v: VertexId) -> &[Sector] {
+        &self.sectors[self.starts[v.index()]..self.starts[v.index() + 1]]
     }
 
     /// The velocity at vertices: the mean of the adjacent faces, weighted by area.
     pub(crate) fn at_vertices(&self, field: &FaceField) -> VertexData<Vec2> {
-        let mesh = self.surface.mesh();
-        VertexData::from_fn(mesh.vertices(), |v| {
-            let (mut sum, mut area) = ([0.0; 2], 0.0);
-            for h in mesh.outgoing(v) {
-                let weight = self.surface.face_area(h.face());
-                sum = add(sum, scale(weight, rotate(self.to_vertex[h], field[h.face()])));
-                area += weight;
-            }
-            scale(1.0 / area, sum)
-        })
+        self.means(|h| rotate(self.to_vertex[h], field[h.face()]), |sum, share, u| add(sum, scale(share, u)))
+    }
+
+    /// Values on faces as means around vertices, by area.
+    pub(crate) fn vertex_means(&self, values: &FaceData<f64>) -> VertexData<f64> {
+        self.means(|h| values[h.face()], |sum, share, x| sum + share * x)
+    }
+
+    /// The means around vertices of a value at corners.
+    fn means<T: Copy + Default + Send>(
+        &self,
+        of: impl Fn(HalfedgeId) -> T + Sync,
+        added: impl Fn(T, f64, T) -> T + Sync,
+    ) -> VertexData<T> {
+        let vertices = self.surface.mesh().vertices();
+        let mut means = VertexData::filled(vertices, T::default());
+        means.as_mut_slice().par_iter_mut().with_min_len(2048).enumerate().for_each(|(v, mean)| {
+            let sectors = self.sectors(VertexId(v as u32));
+            *mean = sectors.iter().fold(T::default(), |sum, s| added(sum, s.share, of(s.halfedge)));
+        });
+        means
     }
 
     /// The surface.
@@ -103,23 +139,17 @@ impl<'s> Backtrace<'s> {
 
     /// The ray from a vertex along a vector in its tangent plane.
     fn ray(&self, v: VertexId, vector: Vec2) -> Ray {
-        let mesh = self.surface.mesh();
         let mut angle = libm::atan2(vector[1], vector[0]);
         if angle < 0.0 {
             angle += TAU;
         }
-        let mut chosen = None;
-        for h in mesh.outgoing(v) {
-            let [from, _] = self.sectors[h];
-            if chosen.is_none() || from <= angle {
-                chosen = Some(h);
-            }
-        }
-        let h = chosen.unwrap_or(HalfedgeId(0));
-        let [from, stretch] = self.sectors[h];
+        let sectors = self.sectors(v);
+        // Angles that are not a number are in the first one.
+        let sector = sectors[sectors[1..].iter().take_while(|sector| sector.from <= angle).count()];
+        let h = sector.halfedge;
         let along = self.surface.vector(h);
         // A vector that points out of the surface is rotated to the boundary.
-        let within = ((angle - from) / stretch).clamp(0.0, self.surface.angle(h));
+        let within = ((angle - sector.from) / self.stretch[v]).clamp(0.0, self.surface.angle(h));
         let direction = rotate([libm::cos(within), libm::sin(within)], along);
         let point = self.surface.corners(h.face())[h.corner()];
         Ray { face: h.face(), point, direction, length: norm(vector) }

@@ -6,8 +6,8 @@ use crate::report::range;
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::FaceField;
+use pompeiu_surface::Ray;
 use pompeiu_surface::plane::{Rotation, Vec2, add, inverse, norm, rotate, scale, sub};
-use pompeiu_surface::{HalfedgeId, Ray};
 use rayon::prelude::*;
 
 /// The departure point of a centroid.
@@ -141,17 +141,6 @@ impl Backtrace<'_> {
             let place = from[face].face;
             let corners = mesh.face(place).map(|v| at_vertices[v]);
             within(corrected[face], range(corners.into_iter().chain([values[place]])))
-        })
-    }
-
-    /// Values on faces as means around vertices, by area.
-    pub(crate) fn vertex_means(&self, values: &FaceData<f64>) -> VertexData<f64> {
-        let mesh = self.surface().mesh();
-        VertexData::from_fn(mesh.vertices(), |v| {
-            let weigh = |h: HalfedgeId| (self.surface().face_area(h.face()), values[h.face()]);
-            let (sum, area) =
-                mesh.outgoing(v).map(weigh).fold((0.0, 0.0), |(sum, area), (a, x)| (sum + a * x, area + a));
-            sum / area
         })
     }
 }

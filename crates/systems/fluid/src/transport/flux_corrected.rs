@@ -3,7 +3,7 @@
 use super::Cells;
 
 /// Largest Courant number of a substep that keeps bounds, with a margin for rounding.
-const SUBSTEP_CFL: f64 = 0.9;
+const SUBSTEP_CFL: f64 = 1.0 - 1e-9;
 
 impl Cells<'_> {
     /// Transports a density for some time, in substeps.
@@ -26,42 +26,11 @@ impl Cells<'_> {
         }
     }
 
-    /// Each side with its cells: for a positive amount the donor comes first.
-    fn sides<'a>(&'a self, amounts: &'a [f64]) -> impl Iterator<Item = ([usize; 2], f64)> + 'a {
-        self.ends.iter().zip(amounts).map(|(&[a, b], &amount)| {
-            let (a, b) = (a as usize, b as usize);
-            (if amount > 0.0 { [a, b] } else { [b, a] }, amount.abs())
-        })
-    }
-
     /// One step of Euler's method.
     fn euler(&self, density: &[f64], step: f64) -> Vec<f64> {
-        let mut after = density.to_vec();
-        let mut surplus = Vec::with_capacity(self.ends.len());
-        for (&[a, b], &flow) in self.ends.iter().zip(&self.flows) {
-            let (a, b) = (a as usize, b as usize);
-            let donor = if flow > 0.0 { density[a] } else { density[b] };
-            let moved = step * flow * donor;
-            after[a] -= moved / self.areas[a];
-            after[b] += moved / self.areas[b];
-            surplus.push(step * flow * (0.5 * (density[a] + density[b]) - donor));
-        }
+        let Fluxes { mut after, surplus, wanted } = self.fluxes(density, step);
         let bounds = self.bounds(density, &after);
-        // The possible inflow and outflow of each cell, and the shares that the bounds allow.
-        let mut wanted = vec![[0.0; 2]; density.len()];
-        for ([giver, taker], amount) in self.sides(&surplus) {
-            wanted[taker][0] += amount;
-            wanted[giver][1] += amount;
-        }
-        let share = |room: f64, wanted: f64| {
-            if wanted <= room {
-                1.0
-            } else if room > 0.0 {
-                room / wanted
-            } else {
-                0.0
-            }
-        };
+        // The shares of its inflow and outflow that the bounds of a cell allow.
         let shares: Vec<[f64; 2]> = (0..density.len())
             .map(|i| {
                 let [least, most] = bounds[i];
@@ -69,13 +38,46 @@ impl Cells<'_> {
                 [0, 1].map(|k| share(rooms[k] * self.areas[i], wanted[i][k]))
             })
             .collect();
-        for ([giver, taker], amount) in self.sides(&surplus) {
-            let (a, b) = (shares[taker][0], shares[giver][1]);
-            let kept = amount * if a < b { a } else { b };
-            after[giver] -= kept / self.areas[giver];
-            after[taker] += kept / self.areas[taker];
+        let mut gained = vec![0.0; density.len()];
+        for (side, amount) in self.sides.iter().zip(surplus) {
+            let (from, to) = (side.from as usize, side.to as usize);
+            let ([inflow, outflow], [other_inflow, other_outflow]) = (shares[from], shares[to]);
+            let kept = positive(amount) * least(outflow, other_inflow)
+                - positive(-amount) * least(inflow, other_outflow);
+            gained[from] -= kept;
+            gained[to] += kept;
         }
+        self.add(&mut after, &gained);
         after
+    }
+
+    /// A step with donor-cell fluxes, and what central fluxes would do in addition.
+    fn fluxes(&self, density: &[f64], step: f64) -> Fluxes {
+        let mut gained = vec![0.0; density.len()];
+        let mut surplus = Vec::with_capacity(self.sides.len());
+        let mut wanted = vec![[0.0; 2]; density.len()];
+        for side in &self.sides {
+            let (from, to) = (side.from as usize, side.to as usize);
+            let passed = step * side.flow;
+            let moved = passed * density[from];
+            gained[from] -= moved;
+            gained[to] += moved;
+            let amount = 0.5 * passed * (density[to] - density[from]);
+            let (along, against) = (positive(amount), positive(-amount));
+            wanted[from] = [wanted[from][0] + against, wanted[from][1] + along];
+            wanted[to] = [wanted[to][0] + along, wanted[to][1] + against];
+            surplus.push(amount);
+        }
+        let mut after = density.to_vec();
+        self.add(&mut after, &gained);
+        Fluxes { after, surplus, wanted }
+    }
+
+    /// Adds amounts to densities.
+    fn add(&self, density: &mut [f64], amounts: &[f64]) {
+        for ((x, amount), area) in density.iter_mut().zip(amounts).zip(self.areas) {
+            *x += amount / area;
+        }
     }
 
     /// The least and the greatest value around each cell, before and after.
@@ -83,21 +85,46 @@ impl Cells<'_> {
         let own: Vec<[f64; 2]> =
             before.iter().zip(after).map(|(&x, &y)| if x < y { [x, y] } else { [y, x] }).collect();
         let mut around = own.clone();
-        let widen = |bounds: &mut [f64; 2], other: [f64; 2]| {
-            if other[0] < bounds[0] {
-                bounds[0] = other[0];
-            }
-            if other[1] > bounds[1] {
-                bounds[1] = other[1];
-            }
+        let widened = |[least, most]: [f64; 2], other: [f64; 2]| {
+            [if other[0] < least { other[0] } else { least }, if other[1] > most { other[1] } else { most }]
         };
-        for (&[a, b], &flow) in self.ends.iter().zip(&self.flows) {
-            if flow != 0.0 {
-                widen(&mut around[a as usize], own[b as usize]);
-                widen(&mut around[b as usize], own[a as usize]);
-            }
+        for side in &self.sides {
+            let (from, to) = (side.from as usize, side.to as usize);
+            around[from] = widened(around[from], own[to]);
+            around[to] = widened(around[to], own[from]);
         }
         around
+    }
+}
+
+/// What a step moves through the sides of cells.
+struct Fluxes {
+    /// The densities after a step with donor-cell fluxes.
+    after: Vec<f64>,
+    /// For each side the amount by which the central flux exceeds that, from its first cell to its second.
+    surplus: Vec<f64>,
+    /// For each cell the inflow and the outflow by these amounts.
+    wanted: Vec<[f64; 2]>,
+}
+
+/// The smaller number.
+fn least(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The number, or zero if it is negative.
+fn positive(x: f64) -> f64 {
+    if x > 0.0 { x } else { 0.0 }
+}
+
+/// The share of an amount for which there is room.
+fn share(room: f64, wanted: f64) -> f64 {
+    if wanted <= room {
+        1.0
+    } else if room > 0.0 {
+        room / wanted
+    } else {
+        0.0
     }
 }
 

@@ -5,5 +5,5 @@ mod cells;
 mod centroids;
 mod flux_corrected;
 
-pub(crate) use backtrace::{Backtrace, restore_mass};
+pub(crate) use backtrace::{Backtrace, Departures, Passage, restore_mass};
 pub(crate) use cells::Cells;
