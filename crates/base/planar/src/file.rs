@@ -116,7 +116,7 @@ pub struct DrawnShape {
 ///
 /// # Definition
 /// A picture shows one shape, its largest part, and a list of points is one. In an SVG drawing each element is a shape, with the holes that
-/// its fill rule leaves, or several where its parts lie beside each other; in a DXF drawing each curve, with the curves inside as holes, by the
+/// its fill rule leaves, or several where its parts lie beside each other; the ends of open curves are joined if it is filled. In a DXF drawing each curve, with the curves inside as holes, by the
 /// even–odd rule.
 ///
 /// # Errors
@@ -175,16 +175,17 @@ fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileErro
     if is_picture(path) || PictureFormat::of(&bytes).is_some() {
         return Ok(Content::Shape(silhouette(&Picture::read(&bytes)?, options)?));
     }
-    let text = String::from_utf8(bytes).map_err(|_| FileError::Unrecognised)?;
+    let text = text(&bytes).ok_or(FileError::Unrecognised)?;
     let mut index = 0;
-    let mut closed = |curves: Vec<Polyline>| -> Result<Vec<Vec<Point>>, FileError> {
+    let mut closed = |curves: Vec<Polyline>, is_filled: bool| -> Result<Vec<Vec<Point>>, FileError> {
         let first = index;
         index += curves.len();
-        curves.into_iter().enumerate().map(|(i, curve)| closed(first + i, curve)).collect()
+        let joined = |curve: Polyline| Polyline { is_closed: curve.is_closed || is_filled, ..curve };
+        curves.into_iter().enumerate().map(|(i, curve)| closed(first + i, joined(curve))).collect()
     };
     if text.trim_start().starts_with('<') {
         let shapes = svg::read_elements(&text)?.into_iter().map(|element| {
-            let curves = closed(element.curves);
+            let curves = closed(element.curves, element.is_filled);
             (element.id, curves.and_then(|curves| Ok(regions(curves, element.fill_rule)?)))
         });
         Ok(Content::Groups(shapes.collect()))
@@ -193,9 +194,27 @@ fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileErro
         if curves.is_empty() {
             return Err(FileError::Empty);
         }
-        Ok(Content::Groups(vec![(String::new(), Ok(regions(closed(curves)?, FillRule::EvenOdd)?))]))
+        Ok(Content::Groups(vec![(String::new(), Ok(regions(closed(curves, false)?, FillRule::EvenOdd)?))]))
     } else {
         Ok(Content::Shape(Region { outer: list(&text)?, holes: Vec::new() }))
+    }
+}
+
+/// The text of a file: UTF-8, or UTF-16 with a byte order mark, or else Latin 1, in which the numbers are those of every code page.
+/// `None` if it is no text.
+fn text(bytes: &[u8]) -> Option<String> {
+    let wide = |order: fn([u8; 2]) -> u16| {
+        let units = bytes[2..].chunks_exact(2).map(|pair| order([pair[0], pair[1]]));
+        char::decode_utf16(units).collect::<Result<String, _>>().ok()
+    };
+    match bytes {
+        [0xff, 0xfe, ..] => wide(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => wide(u16::from_be_bytes),
+        _ => match std::str::from_utf8(bytes) {
+            Ok(text) => Some(text.trim_start_matches('\u{feff}').to_owned()),
+            Err(_) if bytes.contains(&0) => None,
+            Err(_) => Some(bytes.iter().map(|byte| char::from(*byte)).collect()),
+        },
     }
 }
 
@@ -235,23 +254,38 @@ fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<
 
 fn list(text: &str) -> Result<Outline, FileError> {
     let mut points = Vec::new();
-    for (i, line) in text.lines().enumerate() {
-        let line = line.trim();
-        if line.is_empty()
-            || line.starts_with('#')
-            || (i == 0 && line.starts_with(|c: char| c.is_alphabetic()))
-        {
+    let mut is_first = true;
+    for (line, text) in lines(text) {
+        let text = text.trim();
+        if text.is_empty() || text.starts_with('#') {
             continue;
         }
-        let numbers: Option<Vec<f64>> = line
+        let is_heading = text.starts_with(|c: char| c.is_alphabetic() || c == '"');
+        let numbers: Option<Vec<f64>> = text
             .split(|c: char| c == ',' || c == ';' || c.is_whitespace())
+            .map(|part| part.trim_matches('"'))
             .filter(|part| !part.is_empty())
             .map(|part| part.parse().ok())
             .collect();
         match numbers.as_deref() {
             Some(&[x, y]) => points.push([x, y]),
-            _ => return Err(FileError::Line { line: i + 1, found: line.chars().take(40).collect() }),
+            _ if is_first && is_heading => (),
+            _ => return Err(FileError::Line { line, found: text.chars().take(40).collect() }),
         }
+        is_first = false;
     }
     Ok(Outline::new(points)?)
+}
+
+/// The lines of a text, which end with LF, CR LF or CR, and their numbers.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut rest = Some(text);
+    let lines = std::iter::from_fn(move || {
+        let text = rest?;
+        let Some(end) = text.find(['\n', '\r']) else { return rest.take() };
+        let after = if text[end..].starts_with("\r\n") { end + 2 } else { end + 1 };
+        rest = Some(&text[after..]);
+        Some(&text[..end])
+    });
+    lines.enumerate().map(|(i, line)| (i + 1, line))
 }

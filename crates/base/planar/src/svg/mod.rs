@@ -29,6 +29,9 @@ pub struct Element {
     pub id: String,
     /// Which points its curves enclose; even–odd for curves that are drawn as lines alone.
     pub fill_rule: FillRule,
+    /// Whether what its curves enclose is filled, which also joins their ends. Where the drawing has a style sheet, which is not read, it
+    /// is not known to be.
+    pub is_filled: bool,
     /// Its curves, at least one.
     pub curves: Vec<Polyline>,
 }
@@ -202,6 +205,32 @@ mod tests {
         let rules: Vec<FillRule> =
             read_elements(text).unwrap().iter().map(|element| element.fill_rule).collect();
         assert_eq!(rules, [FillRule::EvenOdd, FillRule::NonZero, FillRule::NonZero]);
+    }
+
+    #[test]
+    fn what_is_filled_is_known_unless_a_style_sheet_may_say_otherwise() {
+        let filled = |text: &str| -> Vec<bool> {
+            read_elements(text).unwrap().iter().map(|element| element.is_filled).collect()
+        };
+        let two = "<polyline points='0,0 1,0 0,1'/><g fill='none'><path d='M0 0h1v1'/></g>";
+        assert_eq!(filled(&format!("<svg>{two}</svg>")), [true, false]);
+        assert_eq!(filled(&format!("<svg><style>path {{ fill: none }}</style>{two}</svg>")), [false; 2]);
+    }
+
+    #[test]
+    fn document_types_and_their_entities_are_read() {
+        let text = "<?xml version='1.0' standalone='no'?>\n<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN'\n\
+            'http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd' [<!ENTITY ns 'http://www.w3.org/2000/svg'>\
+            <!ENTITY d 'M0 0h2v1'>]>\n<svg xmlns='&ns;'><path d='&d;z'/></svg>";
+        assert_eq!(read(text).unwrap()[0].points, [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]]);
+        // A thousand millions of entities.
+        let mut text = "<!DOCTYPE svg [<!ENTITY e0 'M0 0h2v1'>".to_owned();
+        for level in 1..10 {
+            let copies = format!("&e{};", level - 1).repeat(10);
+            let _ = write!(text, "<!ENTITY e{level} '{copies}'>");
+        }
+        text.push_str("]><svg><path d='&e9;'/></svg>");
+        assert!(matches!(read(&text), Err(SvgError::Xml(_))));
     }
 
     #[test]

@@ -60,7 +60,8 @@ struct Count {
 }
 
 pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
-    let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    // Illustrator, potrace and matplotlib begin drawings with a document type. Its entities are replaced in bounded depth and number.
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     let document =
         Document::parse_with_options(text, options).map_err(|error| SvgError::Xml(error.to_string()))?;
     let root = document.root_element();
@@ -79,6 +80,7 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
             named.entry(id).or_insert(node);
         }
     }
+    let is_styled = root.descendants().any(|node| node.tag_name().name() == "style");
     let viewport = viewport::root(root).map_err(|why| wrong(root, why))?;
     let all = Place {
         transform: Transform::IDENTITY,
@@ -132,7 +134,7 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
             let id = outermost.map_or(node.attribute("id").unwrap_or_default(), |copy| &copy.id);
             // Of lines alone, one inside another is the border of a hole.
             let fill_rule = if place.is_filled { place.fill_rule } else { FillRule::EvenOdd };
-            found.push(element(id, fill_rule, &curves));
+            found.push(element(id, (fill_rule, place.is_filled && !is_styled), &curves));
         }
         let children: Vec<Node<'_, '_>> = node.children().filter(Node::is_element).collect();
         open.extend(children.into_iter().rev().map(|child| (child, place.clone())));
@@ -218,7 +220,7 @@ impl Count {
 }
 
 /// An element with its curves as chords.
-fn element(id: &str, fill_rule: FillRule, curves: &[Curve]) -> Element {
+fn element(id: &str, (fill_rule, is_filled): (FillRule, bool), curves: &[Curve]) -> Element {
     let controls: Vec<Point> = curves.iter().flat_map(Curve::controls).collect();
     let [low, high] = crate::outline::bounds(&controls);
     let tolerance = FLATTENING * crate::outline::distance(low, high);
@@ -227,5 +229,5 @@ fn element(id: &str, fill_rule: FillRule, curves: &[Curve]) -> Element {
         points: curve.flatten(tolerance),
         is_closed: curve.is_closed,
     };
-    Element { id: id.to_owned(), fill_rule, curves: curves.iter().map(flat).collect() }
+    Element { id: id.to_owned(), fill_rule, is_filled, curves: curves.iter().map(flat).collect() }
 }

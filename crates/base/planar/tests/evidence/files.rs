@@ -178,9 +178,9 @@ fn files_are_told_apart_and_open_curves_refused() {
     assert_eq!(read_outlines(&points, &options).unwrap()[0].area(), 6.0);
     let gif_named_otherwise = file("shape.txt", &gif());
     assert!(read_region(&gif_named_otherwise, &options).is_ok());
-    let open = file("open.svg", b"<svg><path d='M0 0H9V9'/></svg>");
+    let open = file("open.svg", b"<svg><path fill='none' d='M0 0H9V9'/></svg>");
     assert!(matches!(read_outlines(&open, &options), Err(FileError::Open { index: 0, .. })));
-    let several = b"<svg><path id='a' d='M0 0H9V9Z M20 0h1v1z'/><rect id='b' width='2' height='1'/><path id='c' d='M0 0H9V9'/></svg>";
+    let several = b"<svg><path id='a' d='M0 0H9V9Z M20 0h1v1z'/><rect id='b' width='2' height='1'/><path id='c' fill='none' d='M0 0H9V9'/></svg>";
     let shapes = read_shapes(&file("several.svg", several), &options).unwrap();
     let names: Vec<_> = shapes.iter().map(|shape| (shape.name.as_deref(), shape.region.is_ok())).collect();
     assert_eq!(names, [(Some("1"), true), (Some("2"), true), (Some("b"), true), (Some("c"), false)]);
@@ -189,6 +189,46 @@ fn files_are_told_apart_and_open_curves_refused() {
     assert!(matches!(read_outlines(&empty, &options), Err(FileError::Empty)));
     let words = file("words.txt", b"0 0\nhello there\n");
     assert!(matches!(read_outlines(&words, &options), Err(FileError::Line { line: 2, .. })));
-    let noise = file("noise.dat", &[0xff, 0xfe, 0x00, 0x80]);
+    let noise = file("noise.dat", &[0xff, 0x80, 0x00]);
     assert!(matches!(read_outlines(&noise, &options), Err(FileError::Unrecognised)));
+}
+
+#[test]
+fn the_ends_of_filled_curves_are_joined() {
+    let options = SilhouetteOptions::default();
+    for drawing in ["<path d='M0 0H9V9H0'/>", "<polyline points='0,0 9,0 9,9 0,9'/>"] {
+        let path = file("filled.svg", format!("<svg>{drawing}</svg>").as_bytes());
+        assert_eq!(read_outlines(&path, &options).unwrap()[0].area(), 81.0, "{drawing}");
+    }
+    let styled =
+        file("styled.svg", b"<svg><style>.a{fill:none}</style><path class='a' d='M0 0H9V9H0'/></svg>");
+    assert!(matches!(read_outlines(&styled, &options), Err(FileError::Open { .. })));
+}
+
+#[test]
+fn text_is_read_as_other_programs_write_it() {
+    let options = SilhouetteOptions::default();
+    let square = "x,y\n0,0\n2,0\n2,1\n0,1\n";
+    let drawing = "<svg><rect id='für' width='2' height='1'/></svg>";
+    let utf16 = |text: &str| {
+        [b"\xff\xfe".to_vec(), text.encode_utf16().flat_map(u16::to_le_bytes).collect()].concat()
+    };
+    let latin1: Vec<u8> = drawing.chars().map(|c| c as u8).collect();
+    let cases: [(&str, Vec<u8>); 9] = [
+        ("mark.csv", format!("\u{feff}{square}").into_bytes()),
+        ("mark.svg", format!("\u{feff}{drawing}").into_bytes()),
+        ("wide.csv", utf16(square)),
+        ("wide.svg", utf16(drawing)),
+        ("latin1.svg", latin1),
+        ("returns.csv", square.replace('\n', "\r").into_bytes()),
+        ("crlf.csv", square.replace('\n', "\r\n").into_bytes()),
+        ("quoted.csv", b"\"x\",\"y\"\n\"0\",\"0\"\n2,0\n2,1\n0,1\n".to_vec()),
+        ("remark.csv", format!("# of a scan\n\n{square}").into_bytes()),
+    ];
+    for (name, bytes) in cases {
+        let found = read_outlines(&file(name, &bytes), &options);
+        assert_eq!(found.unwrap_or_else(|error| panic!("{name}: {error}"))[0].area(), 2.0, "{name}");
+    }
+    let wrong = file("wrong.csv", b"0,0\r\n2,0\r\nx,y\r\n");
+    assert!(matches!(read_outlines(&wrong, &options), Err(FileError::Line { line: 3, .. })));
 }
