@@ -39,7 +39,7 @@ impl Laid {
         }
         let mut pull = drawing.pull.max(0.0);
         let mut laid = Self { places: pulled(puzzle, &paths, pull), paths, area: [[0.0; 2]; 2] };
-        if kerf > 0.0 {
+        if !is_in_place {
             pull = pull.max(FIRST_PULL);
             laid.places = pulled(puzzle, &laid.paths, pull);
             while pull < MOST_PULL && laid.meet() {

@@ -109,7 +109,7 @@ const ROUNDS: usize = 12;
 /// otherwise on the other side, elsewhere, or smaller. Necks of the cells themselves, where an outline is narrow,
 /// stay.
 ///
-/// Within an outline, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour; of a few numbers
+/// An outline that is a rectangle with sides along the axes has the pieces of that rectangle. Within others, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour; of a few numbers
 /// of cells, the one whose number of pieces comes nearest is taken. The outline gets corners where borders meet it, less than a lattice step away.
 ///
 /// Whimsies are cut out of the cells; their borders get a tab only where nothing else holds them.
@@ -125,13 +125,16 @@ pub(crate) fn make_until(options: &PuzzleOptions, control: &Control) -> Result<P
     options.check()?;
     let mut random = Random::new(options.seed);
     let mut puzzle = match &options.outline {
-        None if options.whimsies.is_empty() => rectangle(options, &mut random, control)?,
+        None if options.whimsies.is_empty() => rectangle(options, options.size, &mut random, control)?,
         None => {
             let [w, h] = options.size;
             let sides = Outline::new(vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]);
             shaped(options, &sides.map_err(|_| PuzzleError::Narrow { piece: 0 })?, &mut random, control)?
         }
-        Some(outline) => shaped(options, outline, &mut random, control)?,
+        Some(outline) => match rectangular(outline, options.size) {
+            Some(size) if options.whimsies.is_empty() => rectangle(options, size, &mut random, control)?,
+            _ => shaped(options, outline, &mut random, control)?,
+        },
     };
     let neck = options.least_neck(puzzle.unit()) / puzzle.step;
     if options.tab != Tab::None {
@@ -181,9 +184,28 @@ impl PuzzleOptions {
     }
 }
 
-fn rectangle(options: &PuzzleOptions, random: &mut Random, control: &Control) -> Result<Puzzle, PuzzleError> {
-    let step = step(options.size);
-    let size = options.size.map(|side| (side / step).round());
+/// How much of the box around it an outline may leave to be that box, relative to its area: rounding.
+const LEFT_OF_BOX: f64 = 1e-12;
+
+/// The width and the height of an outline that fits into a size, if it is a rectangle with sides along the axes. Its pieces need not be
+/// clipped, and there are as many as asked for.
+fn rectangular(outline: &Outline, wanted: [f64; 2]) -> Option<[f64; 2]> {
+    let [low, high] = outline.bounds();
+    let sides = [0, 1].map(|k| high[k] - low[k]);
+    let is_box = outline.area() >= (1.0 - LEFT_OF_BOX) * sides[0] * sides[1];
+    let aspect = (sides[0] / sides[1]).max(sides[1] / sides[0]);
+    let scale = (wanted[0] / sides[0]).min(wanted[1] / sides[1]);
+    (is_box && aspect <= MOST_ASPECT).then(|| sides.map(|side| scale * side))
+}
+
+fn rectangle(
+    options: &PuzzleOptions,
+    size: [f64; 2],
+    random: &mut Random,
+    control: &Control,
+) -> Result<Puzzle, PuzzleError> {
+    let step = step(size);
+    let size = size.map(|side| (side / step).round());
     let sites = match options.layout {
         Layout::Grid => grid(size, options.pieces),
         Layout::Hexagons => hexagons(size, options.pieces),

@@ -160,6 +160,21 @@ fn outlines_are_filled_exactly() {
 }
 
 #[test]
+fn rectangular_outlines_have_the_pieces_of_the_rectangle() {
+    // With a corner in the middle of a side.
+    let corners = vec![[7.0, 1.0], [8.0, 1.0], [9.0, 1.0], [9.0, 3.0], [7.0, 3.0]];
+    for layout in LAYOUTS {
+        let within = PuzzleOptions { pieces: 30, layout, ..PuzzleOptions::default() };
+        let plain = PuzzleOptions { size: [200.0, 200.0], ..within.clone() };
+        let outline = Some(Outline::new(corners.clone()).unwrap());
+        let [puzzle, plain] = [PuzzleOptions { outline, ..within }, plain].map(|o| make(&o).unwrap());
+        assert_eq!(puzzle.size(), [200.0, 200.0]);
+        assert_eq!(puzzle.pieces(), plain.pieces(), "{layout:?}");
+        assert!((0..puzzle.pieces()).all(|i| puzzle.outline(i) == plain.outline(i)), "{layout:?}");
+    }
+}
+
+#[test]
 fn cuts_are_each_border_once_with_the_outline_last() {
     let puzzle = puzzle(Layout::Hexagons, Tab::Knob, 20, 4);
     let text = cuts_svg(&puzzle, 0.0);

@@ -2,7 +2,7 @@
 
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::{Control, Limits};
-use pompeiu_planar::{Outline, Point, distance_to_outline, svg};
+use pompeiu_planar::{Outline, Point, distance_to_outline, intersection_area, svg};
 use pompeiu_puzzle::{
     Layout, PieceDrawing, Print, Puzzle, PuzzleError, PuzzleOptions, Tab, cuts_svg, kerf, lock, make,
     motion_png, motion_svg, pack, page, pieces_png, pieces_svg, report, shake, take_apart,
@@ -104,6 +104,14 @@ fn paths_lie_half_the_cut_outside_and_do_not_meet() {
         for other in laid.iter().enumerate().filter(|(k, _)| *k != piece).map(|(_, other)| other) {
             assert!(!path.points().iter().any(|p| other.contains(*p)));
         }
+    }
+    // Without a cut they do not meet, either.
+    let pulled = PieceDrawing { kerf: 0.0, ..drawing };
+    let paths = svg::read(&pieces_svg(&puzzle, &pulled)).unwrap();
+    let apart: Vec<Outline> = paths.into_iter().map(|path| Outline::new(path.points).unwrap()).collect();
+    for (piece, path) in apart.iter().enumerate() {
+        let others = apart.iter().enumerate().filter(|(k, _)| *k != piece).map(|(_, other)| other);
+        assert!(others.into_iter().all(|other| intersection_area(path, other) < 1e-9), "piece {piece}");
     }
     // In place they are those of the pieces.
     let in_place = PieceDrawing { pull: 0.0, ..drawing };
