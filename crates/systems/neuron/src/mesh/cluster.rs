@@ -78,6 +78,11 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
                     dropped[index] = true;
                     changed = true;
                 }
+                // All samples of the tube lie at one place.
+                [None, None] if tube.length() <= 0.0 && !dropped[index] => {
+                    dropped[index] = true;
+                    changed = true;
+                }
                 _ => (),
             }
         }

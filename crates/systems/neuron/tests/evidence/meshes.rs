@@ -178,7 +178,13 @@ fn what_cannot_be_meshed_is_refused() {
     let refused = |text: &str, options: &MeshOptions<'_>| mesh_neuron(&skeleton(text), options).unwrap_err();
     let zero = refused("1 2 0 0 0 1 -1\n2 2 9 0 0 0 1\n", &quick());
     assert_eq!(zero, MeshError::ZeroRadius { sample: 2, line: 2 });
-    assert_eq!(refused("1 2 0 0 0 1 -1\n", &quick()), MeshError::NoBranch);
+    let one_place = "1 2 0 0 0 1 -1\n2 2 0 0 0 1 1\n3 2 0 0 0 1 2\n";
+    for points in ["1 2 0 0 0 1 -1\n", one_place] {
+        assert_eq!(refused(points, &quick()), MeshError::NoBranch);
+        assert_eq!(cubic_neuron(&skeleton(points), &quick()).unwrap_err(), MeshError::NoBranch);
+    }
+    let beside = mesh(&format!("{one_place}4 2 8 0 0 1 -1\n5 2 16 0 0 1 4\n"), &quick());
+    assert_eq!((beside.caps.len(), beside.report.left_out.len()), (2, 1));
     let little = Limits { memory: Some(1 << 20), ..Limits::default() };
     let error = refused(&y, &MeshOptions { limits: little, ..quick() });
     assert!(matches!(error, MeshError::Memory { needed, limit: 1, .. } if needed > 1), "{error}");

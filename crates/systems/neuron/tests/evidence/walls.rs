@@ -3,8 +3,8 @@
 
 use glam::DVec3;
 use pompeiu_neuron::{
-    MeshOptions, NeuronMesh, Preparation, RoundCone, Skeleton, SmoothOptions, WallDistance, cubic_neuron,
-    mesh_neuron, prepare, read_swc,
+    DirectedDistance, MeshOptions, NeuronMesh, Preparation, RoundCone, Skeleton, SmoothOptions, WallDistance,
+    cubic_neuron, mesh_neuron, prepare, read_swc,
 };
 use std::fmt::Write;
 
@@ -223,6 +223,52 @@ fn what_is_tolerated_is_decided() {
     }
     let back = mesh_neuron(&skeleton(BACK), &MeshOptions::default()).unwrap().report.wall.unwrap();
     assert_eq!((back.beyond[0].sample, back.beyond[0].line), (2, 2), "{back:?}");
+}
+
+/// A branch that forks into two at this angle in degrees, with samples a radius apart.
+fn forked(apart: f64) -> String {
+    let mut text = "1 2 0 0 -6 1 -1\n".to_owned();
+    for i in 1..7 {
+        let _ = writeln!(text, "{} 2 0 0 {} 1 {i}", i + 1, i - 6);
+    }
+    let (sin, cos) = (0.5 * apart).to_radians().sin_cos();
+    for (id, side) in [(8, sin), (16, -sin)] {
+        for i in 0..8 {
+            let (s, parent) = (f64::from(i + 1), if i == 0 { 7 } else { id + i - 1 });
+            let _ = writeln!(text, "{} 2 {} 0 {} 1 {parent}", id + i, side * s, cos * s);
+        }
+    }
+    text
+}
+
+#[test]
+fn distances_in_the_crotches_of_forks_are_enclosed() {
+    let narrow = |wall: &WallDistance| {
+        let width = |way: &DirectedDistance| way.upper_radii - way.lower_radii;
+        assert!(wall.is_within().is_some(), "{wall:?}");
+        assert!(width(&wall.wall_to_cones) < 0.03 && width(&wall.cones_to_wall) < 0.03, "{wall:?}");
+    };
+    // Points of this wall are so deep inside the union that a ball in one cone says little of their distance from its surface.
+    let text = forked(30.0);
+    let found = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap();
+    let wall = found.report.wall.as_ref().unwrap();
+    narrow(wall);
+    let mut random = Random(5);
+    let all = surface(&cones(&skeleton(&text)), &skeleton(&text), &mut random, 20_000);
+    let mut most = 0.0_f64;
+    for [a, b, c, d] in quads(&found) {
+        let p = (a + b + c + d) / 4.0;
+        let depth = -nearest(&cones(&skeleton(&text)), p).0;
+        if depth > 0.04 {
+            most = most.max(all.iter().map(|(q, _)| p.distance(*q)).fold(f64::INFINITY, f64::min));
+        }
+    }
+    // The points of the surface are some hundredths of a radius apart, and middles of quads are not where the distance is greatest.
+    let found = &wall.wall_to_cones;
+    assert!(most > found.lower - 0.05 && most < found.upper + 0.03, "{most} {found:?}");
+    // Distances of the cones are near what is tolerated.
+    let tricubic = cubic_neuron(&skeleton(&forked(45.0)), &MeshOptions::default()).unwrap();
+    narrow(tricubic.report.wall.as_ref().unwrap());
 }
 
 #[test]

@@ -7,9 +7,9 @@ mod search;
 mod solid;
 
 pub(super) use patches::Net;
-use pieces::{Facet, Facets, FlatEnd, Surface};
+use pieces::{Facet, Facets, FlatEnd, Piece, Surface};
 pub(super) use search::Wanted;
-use search::{Enclosure, Goal, enclose};
+use search::{Enclosure, Goal, Patch, enclose};
 use solid::Solid;
 
 use super::options::{BeyondSample, DirectedDistance, WallDistance};
@@ -19,8 +19,11 @@ use pompeiu_core::run::Control;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Distance of the triangles that stand for a patch of the wall from it, in radii.
+/// Greatest distance of the triangles that stand for a patch of the wall from it, in radii.
 const FACETED: f64 = 0.01;
+
+/// The same where that leaves open whether the distance of a cone is tolerated.
+const FINELY_FACETED: f64 = FACETED / 16.0;
 
 /// Most parts of a patch along each direction in triangles.
 const MOST_PARTS: f64 = 32.0;
@@ -46,21 +49,32 @@ pub(super) fn wall_distance<const S: usize>(
         return None;
     }
     let solid = Solid::new(skeleton);
-    let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets(&solid, net)).collect());
-    let surface = Surface::new(&solid, &facets, skeleton, &flat_ends(skeleton, ends));
+    let facets = Facets::new(wall.par_iter().flat_map_iter(|net| facets_of(&solid, net, FACETED)).collect());
+    let ends = flat_ends(skeleton, ends);
+    let surface = Surface::new(&solid, &facets, skeleton, &ends);
     let goal = Goal { within, is_decided: false, wanted };
-    let from_wall = enclose(wall, goal, control, |net| Some(patches::bounds(&solid, net)));
+    let from_wall = enclose(
+        wall,
+        goal,
+        control,
+        (|net| Some(patches::bounds(&solid, net)), |net| patches::witness(&solid, net)),
+    );
     let goal = Goal { is_decided: from_wall.lower[1] > within, ..goal };
-    let from_cones = enclose(&surface.pieces(), goal, control, |piece| surface.bounds(piece));
+    let mut from_cones = enclose(&surface.pieces(), goal, control, (|piece| surface.bounds(piece), |_| None));
+    if from_cones.is_settled() {
+        let near = |nets: &[Net<S>]| nets_next_to(&solid, nets, skeleton, &ends, &from_cones.settled);
+        // Of parts of patches there are fewer triangles next to the pieces.
+        let parts: Vec<Net<S>> =
+            near(wall).iter().flat_map(Patch::divided).flat_map(|part| part.divided()).collect();
+        let fine =
+            near(&parts).par_iter().flat_map_iter(|net| facets_of(&solid, net, FINELY_FACETED)).collect();
+        let fine = Facets::new(fine);
+        let surface = Surface::new(&solid, &fine, skeleton, &ends);
+        let better = enclose(&from_cones.settled, goal, control, (|piece| surface.bounds(piece), |_| None));
+        from_cones.resolve(better);
+    }
+    let (wall_to_cones, cones_to_wall) = (directed(skeleton, &from_wall), directed(skeleton, &from_cones));
     let samples = skeleton.samples();
-    let directed = |found: &Enclosure| DirectedDistance {
-        lower: found.lower[0],
-        upper: found.upper[0],
-        lower_radii: found.lower[1],
-        upper_radii: found.upper[1],
-        sample: samples[found.sample].id,
-    };
-    let (wall_to_cones, cones_to_wall) = (directed(&from_wall), directed(&from_cones));
     let mut beyond: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
     for (sample, distance) in from_wall.beyond.into_iter().chain(from_cones.beyond) {
         let most = beyond.entry(sample).or_insert(distance);
@@ -79,14 +93,45 @@ pub(super) fn wall_distance<const S: usize>(
     Some(WallDistance { within, wall_to_cones, cones_to_wall, beyond })
 }
 
-/// Triangles that stand for a patch.
-fn facets<const S: usize>(solid: &Solid, net: &Net<S>) -> Vec<Facet> {
+/// The patches with parts of the wall that may be next to points of pieces of the cones.
+fn nets_next_to<const S: usize>(
+    solid: &Solid,
+    nets: &[Net<S>],
+    skeleton: &Skeleton,
+    ends: &[FlatEnd],
+    pieces: &[Piece],
+) -> Vec<Net<S>> {
+    let faceted: Vec<Vec<Facet>> = nets.par_iter().map(|net| facets_of(solid, net, FACETED)).collect();
+    let counts: Vec<usize> = faceted.iter().map(Vec::len).collect();
+    let facets = Facets::new(faceted.into_iter().flatten().collect());
+    let is_near = Surface::new(solid, &facets, skeleton, ends).next_to(pieces);
+    let mut first = 0;
+    let of_nets = nets.iter().zip(counts).filter(|(_, count)| {
+        first += count;
+        is_near[first - count..first].contains(&true)
+    });
+    of_nets.map(|(net, _)| *net).collect()
+}
+
+fn directed<P>(skeleton: &Skeleton, found: &Enclosure<P>) -> DirectedDistance {
+    let upper = found.uppers();
+    DirectedDistance {
+        lower: found.lower[0],
+        upper: upper[0],
+        lower_radii: found.lower[1],
+        upper_radii: upper[1],
+        sample: skeleton.samples()[found.sample].id,
+    }
+}
+
+/// Triangles that stand for a patch, no farther from it than a share of the radius.
+fn facets_of<const S: usize>(solid: &Solid, net: &Net<S>, most: f64) -> Vec<Facet> {
     let centre = net.at(0.5, 0.5);
     let reach = net.points.as_flattened().iter().map(|p| p.distance(centre)).fold(0.0, f64::max);
     // Where a thin branch leaves a thick one, the radius is that of the thin one.
     let radius = solid.least_radius(centre, solid.nearest(centre).upper, reach);
     let bend = net.bend() / 8.0;
-    let n = (bend / (FACETED * radius)).sqrt().ceil().clamp(1.0, MOST_PARTS);
+    let n = (bend / (most * radius)).sqrt().ceil().clamp(1.0, MOST_PARTS);
     let off = bend / (n * n);
     let at = |i: usize, j: usize| net.at(i as f64 / n, j as f64 / n);
     let n = n as usize;

@@ -1,8 +1,12 @@
 //! Parts of the wall, and the bounds on their distance from the surface of the cones.
 
+use super::pieces::depth;
 use super::search::{Bounds, Patch};
 use super::solid::Solid;
 use glam::DVec3;
+
+/// Width of an enclosure of the depth of a point, in radii.
+const DEPTH_WIDTH: f64 = 0.005;
 
 /// A Bézier patch with `S` control points along each direction.
 #[derive(Clone, Copy)]
@@ -104,5 +108,23 @@ pub(super) fn bounds<const S: usize>(solid: &Solid, net: &Net<S>) -> Bounds {
     let inside = solid.exit(hull, centre, reach);
     let upper = upper.max(inside).max(0.0) + solid.rounding;
     let radius = solid.least_radius(centre, middle.upper, reach);
-    Bounds { upper: [upper, upper / radius], lower, sample: sample.unwrap_or_default() }
+    let sample = sample.unwrap_or_default();
+    Bounds { upper: [upper, upper / radius], lower, sample, is_settled: false }
+}
+
+/// What a point of a patch inside the union says of its distance from the surface, better than a ball in one cone does: between branches at
+/// a small angle the surface is much farther away than that. `None` if the point is outside.
+pub(super) fn witness<const S: usize>(solid: &Solid, net: &Net<S>) -> Option<Bounds> {
+    let point = net.at(0.5, 0.5);
+    let nearest = solid.nearest(point);
+    if nearest.upper >= 0.0 {
+        return None;
+    }
+    let cone = &solid.cones[nearest.cone];
+    let radius = cone.radius(nearest.t);
+    let most = solid.exit(&[point], point, solid.rounding);
+    let distance = depth(solid, point, most, DEPTH_WIDTH * radius);
+    let lower = [distance, distance / radius];
+    let sample = cone.samples[usize::from(nearest.t > 0.5)];
+    Some(Bounds { upper: [f64::INFINITY; 2], lower, sample, is_settled: false })
 }

@@ -13,6 +13,9 @@ const RELATIVE_WIDTH: f64 = 0.05;
 /// Most divisions of a patch along each direction.
 const MOST_LEVELS: usize = 14;
 
+/// From so many divisions on, one of the patches that are divided together is looked at more closely.
+const LEVEL_OF_WITNESSES: usize = 4;
+
 /// Patches that are divided together.
 const BATCH: usize = 4096;
 
@@ -35,6 +38,8 @@ pub(super) struct Bounds {
     pub(super) lower: [f64; 2],
     /// The sample next to that point.
     pub(super) sample: usize,
+    /// Whether what is left between them is not the size of the patch, so that dividing it does not narrow them.
+    pub(super) is_settled: bool,
 }
 
 /// A part of a surface.
@@ -44,14 +49,16 @@ pub(super) trait Patch: Copy + Send + Sync {
 }
 
 /// The greatest distance, enclosed.
-#[derive(Default)]
-pub(super) struct Enclosure {
+pub(super) struct Enclosure<P> {
     pub(super) lower: [f64; 2],
     pub(super) upper: [f64; 2],
     /// The sample next to the point with the greatest distance in radii.
     pub(super) sample: usize,
     /// Samples next to points that are farther away than is tolerated, with the greatest such distance.
     pub(super) beyond: BTreeMap<usize, [f64; 2]>,
+    /// Patches that are not divided because that does not decide whether their distances are tolerated.
+    pub(super) settled: Vec<P>,
+    settled_upper: [f64; 2],
     goal: Goal,
 }
 
@@ -77,7 +84,45 @@ pub(super) struct Goal {
     pub(super) wanted: Wanted,
 }
 
-impl Enclosure {
+impl<P> Enclosure<P> {
+    fn new(goal: Goal) -> Self {
+        Self {
+            lower: [0.0; 2],
+            upper: [0.0; 2],
+            sample: 0,
+            beyond: BTreeMap::new(),
+            settled: Vec::new(),
+            settled_upper: [0.0; 2],
+            goal,
+        }
+    }
+
+    /// Whether neither that all distances are tolerated nor that one is not is known, because of settled patches.
+    pub(super) fn is_settled(&self) -> bool {
+        let Goal { within, is_decided, .. } = self.goal;
+        !is_decided && self.lower[1] <= within && self.upper[1] <= within && !self.settled.is_empty()
+    }
+
+    /// The upper bounds of all patches, the settled ones too.
+    pub(super) fn uppers(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.upper[k].max(self.settled_upper[k]))
+    }
+
+    /// Takes what is known of the settled patches from better bounds.
+    pub(super) fn resolve(&mut self, better: Self) {
+        if better.lower[1] > self.lower[1] {
+            self.sample = better.sample;
+        }
+        self.settled_upper = better.uppers();
+        self.lower = [0, 1].map(|k| self.lower[k].max(better.lower[k]));
+        for (sample, distance) in better.beyond {
+            let most = self.beyond.entry(sample).or_insert(distance);
+            if distance[1] > most[1] {
+                *most = distance;
+            }
+        }
+    }
+
     fn add(&mut self, bounds: &Bounds) {
         let within = self.goal.within;
         self.lower[0] = self.lower[0].max(bounds.lower[0]);
@@ -93,11 +138,28 @@ impl Enclosure {
         }
     }
 
+    /// The open patch that may be farthest away.
+    fn farthest(&self, bounds: &[Option<Bounds>]) -> Option<usize> {
+        let upper = |i: usize| bounds[i].filter(|bounds| self.is_open(bounds)).map(|bounds| bounds.upper[1]);
+        let open = (0..bounds.len()).filter_map(|i| Some((i, upper(i)?)));
+        open.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
+
     /// Takes a patch that is not divided.
     fn close(&mut self, bounds: &Bounds) {
         self.upper = [0, 1].map(|k| self.upper[k].max(bounds.upper[k]));
         if self.goal.wanted == Wanted::Whether && bounds.upper[1] > self.goal.within {
             self.beyond.entry(bounds.sample).or_insert(bounds.lower);
+        }
+    }
+
+    /// Takes a patch that is open and whose bounds are not narrowed by dividing it.
+    fn settle(&mut self, patch: P, bounds: &Bounds) {
+        if bounds.upper[1] > self.goal.within && self.goal.wanted != Wanted::Whether {
+            self.settled_upper = [0, 1].map(|k| self.settled_upper[k].max(bounds.upper[k]));
+            self.settled.push(patch);
+        } else {
+            self.close(bounds);
         }
     }
 
@@ -128,16 +190,16 @@ impl Enclosure {
 }
 
 /// Encloses the greatest distance of the points of patches. `evaluate` bounds those of one patch; `None` if it is not part of the
-/// surface. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
+/// surface. `witness` finds a better lower bound for one patch, if there is any, with more work. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
 ///
 /// The result does not depend on the number of threads.
 pub(super) fn enclose<P: Patch>(
     patches: &[P],
     goal: Goal,
     control: &Control,
-    evaluate: impl Fn(&P) -> Option<Bounds> + Sync,
-) -> Enclosure {
-    let mut found = Enclosure { goal, ..Enclosure::default() };
+    (evaluate, witness): (impl Fn(&P) -> Option<Bounds> + Sync, impl Fn(&P) -> Option<Bounds>),
+) -> Enclosure<P> {
+    let mut found = Enclosure::new(goal);
     // Lower bounds first, whichever patch they are of: the others need not be divided for what these decide.
     let mut first: Vec<Vec<Option<Bounds>>> = Vec::with_capacity(patches.len().div_ceil(BATCH));
     for batch in patches.chunks(BATCH) {
@@ -161,11 +223,21 @@ pub(super) fn enclose<P: Patch>(
             let bounds = known.take().unwrap_or_else(|| active.par_iter().map(&evaluate).collect());
             left = left.saturating_sub(active.len());
             bounds.iter().flatten().for_each(|bounds| found.add(bounds));
+            if level >= LEVEL_OF_WITNESSES
+                && let Some(farthest) = found.farthest(&bounds)
+                && let Some(known) = witness(&active[farthest])
+            {
+                found.add(&known);
+            }
             let mut divided: Vec<P> = Vec::new();
             for (patch, bounds) in active.iter().zip(&bounds) {
                 let Some(bounds) = bounds else { continue };
                 if left > 0 && level < found.most_levels() && found.is_open(bounds) {
-                    divided.extend(patch.divided());
+                    if bounds.is_settled {
+                        found.settle(*patch, bounds);
+                    } else {
+                        divided.extend(patch.divided());
+                    }
                 } else {
                     found.close(bounds);
                 }

@@ -153,6 +153,17 @@ impl Solid {
         });
     }
 
+    /// The numbers of the cones whose boxes are within a distance of a point.
+    pub(super) fn numbers_near(&self, p: DVec3, distance: f64) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.boxes.visit(p, distance, |index| {
+            found.push(index as usize);
+            distance
+        });
+        found.sort_unstable();
+        found
+    }
+
     /// A lower bound on the radius of the nearest ball of any point within `reach` of `p`, whose distance from the union is at most
     /// `distance`.
     pub(super) fn least_radius(&self, p: DVec3, distance: f64, reach: f64) -> f64 {
