@@ -1,6 +1,7 @@
 //! Advection of the vorticity and of the harmonic coefficients, in Galerkin's weak form.
 
 use crate::space::Space;
+use crate::transport::{Departures, Passage};
 use crate::{FluidError, Integrator};
 use pompeiu_core::FaceId;
 use pompeiu_core::mesh::{FaceData, VertexData};
@@ -153,6 +154,15 @@ pub(crate) fn substep_cfl(integrator: Integrator) -> f64 {
         // Not for stability: fixed-point iterations converge well up to here.
         Integrator::ImplicitMidpoint => 0.5,
     }
+}
+
+/// What advection results in.
+pub(crate) struct Advected {
+    pub(crate) harmonic: Vec<f64>,
+    pub(crate) fields: Fields,
+    pub(crate) substeps: usize,
+    /// Where the vorticity comes from, where it was traced back.
+    pub(crate) passage: Option<Passage<Departures>>,
 }
 
 /// The harmonic coefficients and the fields after some time, computed in substeps, from those at the start.

@@ -7,7 +7,7 @@ mod velocity;
 pub(crate) use densities::add_source;
 
 use crate::FluidError;
-use crate::advection::Fields;
+use crate::advection::{Advected, Fields};
 use crate::curvature::CurvatureLimit;
 use crate::edges::EdgeField;
 use crate::options::{FluidOptions, Scheme, TimeStep, Transport};
@@ -20,7 +20,6 @@ use pompeiu_core::run::Instant;
 use pompeiu_operators::{FaceField, check_field};
 use pompeiu_surface::Surface;
 use pompeiu_surface::plane::norm;
-use velocity::Advected;
 
 /// Largest number of substeps of a step.
 const MOST_SUBSTEPS: usize = 100_000;

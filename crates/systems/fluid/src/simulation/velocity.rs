@@ -2,25 +2,16 @@
 
 use super::diffusion::{Power, Viscous};
 use super::{MOST_HALVINGS, MOST_SUBSTEPS, Simulation, State};
-use crate::advection::{self, AdvectionError, Fields};
+use crate::advection::{self, Advected, AdvectionError, Fields};
 use crate::edges::{self, EdgeViscosity};
 use crate::faces::FaceDiffusion;
 use crate::space::Parts;
-use crate::transport::{Backtrace, Departures, Passage};
+use crate::transport::Backtrace;
 use crate::viscosity::Viscosity;
 use crate::{Correction, FluidError, Integrator, Scheme, TimeStep, Wall, force};
 use pompeiu_core::mesh::{FaceData, VertexData};
 use pompeiu_operators::{FaceField, add_scaled};
 use pompeiu_surface::plane::{add, rotate, scale, sub};
-
-/// What advection results in.
-pub(super) struct Advected {
-    pub(super) harmonic: Vec<f64>,
-    pub(super) fields: Fields,
-    pub(super) substeps: usize,
-    /// Where the vorticity comes from, where it was traced back.
-    pub(super) passage: Option<Passage<Departures>>,
-}
 
 impl Simulation<'_> {
     /// The length of the next step.

@@ -95,7 +95,8 @@ pub(super) struct Cells<'b> {
 
 /// Cells that are made before those that came out wide are compared with the faces around them.
 const MOST_CELLS: usize = 64;
-/// A part whose area is more than this many times that of the face of B it is over is halved before it is cut.
+/// A part whose area is more than this many times that of the face of B it is over is halved before it is cut. So is one whose longest way, squared,
+/// is as many times the longest edge of that face: a thin part over many faces has more of them along its way than steps may lead.
 const MOST_AREA: f64 = 64.0;
 /// Where planes are farther than this many times the area of their faces, squared, what is nearest are edges and vertices as a rule.
 const FARTHEST: f64 = 16.0;
@@ -186,7 +187,8 @@ impl<'b> Cells<'b> {
         }
         let share = outline.share() * area;
         if steps <= MOST_STEPS
-            && share > MOST_AREA * facet.area
+            && (share > MOST_AREA * facet.area
+                || outline.longest_way(scale).0.length_squared() > MOST_AREA * facet.longest_edge_sq())
             && let Some(halves) = outline.halve(scale)
         {
             for outline in halves {
@@ -326,18 +328,28 @@ impl<'b> Cells<'b> {
 }
 
 impl Outline {
-    /// Cuts across the longest way between two corners, in the middle.
-    fn halve(&self, scale: &Scale) -> Option<[Self; 2]> {
-        let way = |i: usize, j: usize| scale.way([self.v[j] - self.v[i], self.w[j] - self.w[i]]);
+    /// The longest way between two corners, and which.
+    fn longest_way(&self, scale: &Scale) -> (DVec3, usize, usize) {
         let mut longest = (DVec3::ZERO, 0, 0);
         for i in 0..self.count {
             for j in i + 1..self.count {
-                if way(i, j).length_squared() > longest.0.length_squared() {
-                    longest = (way(i, j), i, j);
+                let way = self.way(i, j, scale);
+                if way.length_squared() > longest.0.length_squared() {
+                    longest = (way, i, j);
                 }
             }
         }
-        let (along, i, j) = longest;
-        self.cut(&std::array::from_fn(|k| along.dot(way(i, k)) + along.dot(way(j, k))))
+        longest
+    }
+
+    fn way(&self, i: usize, j: usize, scale: &Scale) -> DVec3 {
+        scale.way([self.v[j] - self.v[i], self.w[j] - self.w[i]])
+    }
+
+    /// Cuts across the longest way between two corners, in the middle.
+    fn halve(&self, scale: &Scale) -> Option<[Self; 2]> {
+        let (along, i, j) = self.longest_way(scale);
+        let side = |k| along.dot(self.way(i, k, scale)) + along.dot(self.way(j, k, scale));
+        self.cut(&std::array::from_fn(side))
     }
 }

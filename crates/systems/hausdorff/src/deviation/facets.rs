@@ -41,6 +41,14 @@ pub(super) struct Facet {
     inward: [DVec3; 3],
 }
 
+impl Facet {
+    /// The square of the length of the longest edge.
+    pub(super) fn longest_edge_sq(&self) -> f64 {
+        let [a, b, c] = self.corners;
+        [a - b, b - c, c - a].map(DVec3::length_squared).into_iter().fold(0.0, greater)
+    }
+}
+
 /// The plane between a face and the one across an edge.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {

@@ -35,6 +35,19 @@ fn is_near(enclosure: Enclosure, value: f64, slack: f64) {
     assert!(enclosure.gap() <= slack, "{enclosure} is wider than {slack}");
 }
 
+/// A thin face, as discs of CAD models have, over a hundred times as many faces as it is wide is cut into the cells of their overlay: it crosses
+/// about 240 faces, and distances change their side in half of them.
+#[test]
+fn a_thin_face_over_many_small_ones_is_cut_into_their_cells() {
+    let scan = displace_at_random(&plate(80), 1e-4, 1).unwrap();
+    let Aabb { lower, .. } = Aabb::of_faces(&scan);
+    let corners = [[0.05, 0.05], [0.94, 0.95], [0.95, 0.94]].map(|[x, y]| [lower[0] + x, lower[1] + y, 0.0]);
+    let thin = TriMesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+    let found = DeviationOptions::default().directed(&thin, &scan).unwrap();
+    assert_eq!(found.stop, StopReason::Tolerance);
+    assert!(found.work.pieces < 2000, "{:?}", found.work);
+}
+
 /// All statistics of parallel plates are their distance.
 #[test]
 fn parallel_plates() {
