@@ -218,7 +218,7 @@ pub enum Transport {
     /// substeps.
     #[default]
     FluxCorrected,
-    /// Semi-Lagrangian along geodesics, with [`Scheme::AnyStep`] from the points that the vorticity comes from: mass drifts.
+    /// Semi-Lagrangian along geodesics, with `any-step` from the points that the vorticity comes from: mass drifts.
     SemiLagrangian,
     /// Semi-Lagrangian; afterwards the missing mass is distributed where the limits allow.
     SemiLagrangianCorrected,

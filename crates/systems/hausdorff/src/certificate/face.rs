@@ -209,7 +209,14 @@ impl<'s> Trees<'s> {
             let Some(ends) = self.carve(polygon, slot, mask) else { continue };
             self.scratch.clear();
             part(polygon, &ends[1], &ends[0], &mut self.scratch);
-            let gain = measure.size(&self.scratch) / whole;
+            let taken = measure.size(&self.scratch) / whole;
+            self.scratch.clear();
+            part(polygon, &ends[0], &ends[1], &mut self.scratch);
+            let gain = match measure {
+                Measure::Area => taken,
+                // What is taken from the middle of a segment leaves it as long as it was.
+                Measure::Extent => 1.0 - measure.size(&self.scratch) / whole,
+            };
             if best.is_none_or(|best| gain > best.0) {
                 best = Some((gain, ends, slot));
             }
@@ -217,8 +224,6 @@ impl<'s> Trees<'s> {
                 break;
             }
             // However small: where two faces tie, what is left beside the line between them is cut off here or nowhere.
-            self.scratch.clear();
-            part(polygon, &ends[0], &ends[1], &mut self.scratch);
             let rest = std::mem::take(&mut self.scratch);
             let full = (1_u64 << rest.len()) - 1;
             let closes = [ends[0].at.slot, ends[1].at.slot]
