@@ -457,9 +457,10 @@ def fluid(
     transport : str
         The scheme that transports densities. ``"flux-corrected"``: flux-corrected transport between dual cells, of
         second order and limited to the surrounding values: conserves mass, in substeps; ``"semi-lagrangian"``:
-        semi-Lagrangian along geodesics: mass drifts; ``"semi-lagrangian-corrected"``: semi-Lagrangian; afterwards the
-        missing mass is distributed where the limits allow; ``"faces"``: semi-Lagrangian on faces, from their centroids:
-        mass drifts, and two interpolations per step add diffusion.
+        semi-Lagrangian along geodesics, with `any-step` from the points that the vorticity comes from: mass drifts;
+        ``"semi-lagrangian-corrected"``: semi-Lagrangian; afterwards the missing mass is distributed where the limits
+        allow; ``"faces"``: semi-Lagrangian on faces, from their centroids: mass drifts, and two interpolations per step
+        add diffusion.
     gravity : Sequence[float], optional
         Gravity, which acts on densities with a weight.
     rotation : Sequence[float], optional

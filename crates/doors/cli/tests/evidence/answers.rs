@@ -703,7 +703,7 @@ fn complexity_measures_a_folder_and_goes_on_after_files_that_cannot_be_used() {
     assert!(std::fs::read_to_string(folder.path().join("gallery.html")).unwrap().contains("arch.svg"));
     // Damage in one file is told with its name, and the others are measured.
     folder.write("shapes/broken.png", b"\x89PNG\r\n\x1a\n\0\0");
-    folder.write("shapes/open.svg", "<svg><path d='M0 0H9V9'/></svg>");
+    folder.write("shapes/open.svg", "<svg><path fill='none' d='M0 0H9V9'/></svg>");
     let (code, answer, messages) = folder.transcript("complexity shapes --json");
     assert_eq!(code, Some(3));
     assert!(messages.contains("shapes/broken.png: the PNG") && messages.contains("shapes/open.svg: curve 0"));
