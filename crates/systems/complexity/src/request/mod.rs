@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn each_shape_of_a_drawing_is_measured_or_reported() {
         let path = std::env::temp_dir().join(format!("pompeiu-several-{}.svg", std::process::id()));
-        let drawing = "<svg><circle id='disc' r='9'/><rect x='20' width='4' height='4'/><path d='M0 0h1v1' id='open'/></svg>";
+        let drawing = "<svg><circle id='disc' r='9'/><rect x='20' width='4' height='4'/><path fill='none' d='M0 0h1v1' id='open'/></svg>";
         std::fs::write(&path, drawing).unwrap();
         let named = |own: &str| format!("{}#{own}", path.display());
         let mine = [(named("disc"), 1.0), (named("2").rsplit('/').next().unwrap().to_owned(), 2.0)];
