@@ -45,7 +45,7 @@ def test_folders_are_measured_and_what_is_left_out_is_said(tmp_path):
     for n in (5, 9):
         points = "\n".join(f"{x} {y}" for x, y in pompeiu.polyline(n, seed=1, order="angle"))
         (tmp_path / f"{n}.txt").write_text(points)
-    (tmp_path / "open.svg").write_text("<svg><path d='M0 0H9V9'/></svg>")
+    (tmp_path / "open.svg").write_text("<svg><path fill='none' d='M0 0H9V9'/></svg>")
     (tmp_path / "mine.rank").write_text("name,place\n5,1\n9,2\n")
     with pytest.warns(UserWarning, match="open.svg: curve 0"):
         result = pompeiu.complexity(tmp_path, against=str(tmp_path / "mine.rank"))
