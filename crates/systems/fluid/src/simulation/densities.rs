@@ -50,13 +50,12 @@ impl Simulation<'_> {
         if self.state.densities.is_empty() {
             return Ok(());
         }
-        let velocity = || mean(before, &self.state.velocity);
+        let velocity = mean(before, &self.state.velocity);
         if self.options.transport == Transport::Faces {
-            let velocity = velocity();
             return self.move_on_faces(&velocity, step);
         }
         let by_flux = self.options.transport == Transport::FluxCorrected;
-        let cells = by_flux.then(|| self.space.cells(&velocity()));
+        let cells = by_flux.then(|| self.space.cells(&velocity));
         let cfl = cells.as_ref().map_or(0.0, |cells| cells.cfl(step));
         if cfl > MOST_SUBSTEPS as f64 {
             let (number, most) = (self.state.step + 1, MOST_SUBSTEPS);
@@ -77,7 +76,6 @@ impl Simulation<'_> {
             self.state.densities.iter_mut().for_each(|values| self.space.carry(&cells, values, step));
         } else if let Some(backtrace) = &self.backtrace {
             let passage = traced.unwrap_or_else(|| {
-                let velocity = mean(before, &self.state.velocity);
                 backtrace.passage(&backtrace.at_vertices(&velocity), step, self.options.correction)
             });
             self.state.densities = self.trace_back(backtrace, &passage);

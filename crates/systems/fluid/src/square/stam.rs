@@ -135,11 +135,8 @@ impl Stam {
                     (0..count).filter_map(row).for_each(|row| self.sweep_rows(ghosts, [row], x, x0, [a, c]));
                 }
             }
-            if self.periodic {
-                self.set_edges(ghosts, x);
-            }
+            self.set_edges(ghosts, x);
         }
-        self.set_edges(ghosts, x);
     }
 
     /// A Gauss–Seidel sweep over rows that do not touch, and their ghost cells where edges are not periodic.

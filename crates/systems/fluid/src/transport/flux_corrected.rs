@@ -42,8 +42,8 @@ impl Cells<'_> {
         for (side, amount) in self.sides.iter().zip(surplus) {
             let (from, to) = (side.from as usize, side.to as usize);
             let ([inflow, outflow], [other_inflow, other_outflow]) = (shares[from], shares[to]);
-            let kept = positive(amount) * least(outflow, other_inflow)
-                - positive(-amount) * least(inflow, other_outflow);
+            let kept = positive(amount) * smaller(outflow, other_inflow)
+                - positive(-amount) * smaller(inflow, other_outflow);
             gained[from] -= kept;
             gained[to] += kept;
         }
@@ -108,7 +108,7 @@ struct Fluxes {
 }
 
 /// The smaller number.
-fn least(a: f64, b: f64) -> f64 {
+fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 

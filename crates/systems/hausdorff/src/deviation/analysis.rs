@@ -72,21 +72,10 @@ impl DeviationOptions<'_> {
         let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
         let first = both.map(|(there, back)| there.min(back) / 2);
         let [to_b, to_a] = self.wants_signs(a, b);
-        let there = self.one_direction(
-            pair,
-            (Direction::AToB, Direction::AToB.share_of_both()),
-            half,
-            first,
-            to_b.as_deref(),
-        );
+        let told = |direction: Direction| (direction, direction.share_of_both());
+        let there = self.one_direction(pair, told(Direction::AToB), half, first, to_b.as_deref());
         let rest = room(b_part, a, there.bytes() + pair.bytes());
-        let back = self.one_direction(
-            pair,
-            (Direction::BToA, Direction::BToA.share_of_both()),
-            whole,
-            rest,
-            to_a.as_deref(),
-        );
+        let back = self.one_direction(pair, told(Direction::BToA), whole, rest, to_a.as_deref());
         let mut deviation = self.both(a, b, there, back);
         let [there, back] = [&mut deviation.a_to_b, &mut deviation.b_to_a];
         if !self.signed && (there.sides.is_none() || back.sides.is_none()) {
