@@ -17,6 +17,7 @@ use super::criterion::Criterion;
 use super::envelope::distances;
 use super::facets::Facets;
 use super::polygon::{MOST_CORNERS, Outline, Piece, Polygon, Row};
+use super::walk::Walk;
 use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::run::Control;
@@ -29,12 +30,12 @@ pub(super) struct Rest {
     pub(super) near: Slot,
 }
 
-/// A part that is yet to be cut, after so many steps from face to face.
+/// A part that is yet to be cut, over a face of B.
 #[derive(Clone, Copy)]
 struct Part {
     outline: Outline,
     slot: Slot,
-    steps: u32,
+    walk: Walk,
 }
 
 /// When to leave what is left as it is.
@@ -103,12 +104,6 @@ const FARTHEST: f64 = 16.0;
 /// Where cells are farther than this many times the area of their faces, squared, many faces are around each: to make planes in front of them
 /// takes longer than to compare its few cells with them.
 const FARTHEST_OF_FACETS: f64 = 1.5;
-/// Steps from face to face on the way to a cell.
-const MOST_STEPS: u32 = 40;
-/// Steps that a cut by a face which is not across an edge counts.
-const STEPS_OF_BISECTOR: u32 = 10;
-/// Steps that halving counts.
-const STEPS_OF_HALVES: u32 = 3;
 /// Small parts may be wider than the whole face, by this factor.
 const MOST_WIDTH: f64 = 8.0;
 /// What hangs over an edge or a plane so little that this part of the allowed width comes of it is no reason for a cut.
@@ -147,7 +142,11 @@ impl<'b> Cells<'b> {
     ) {
         self.rest.clear();
         self.again.clear();
-        self.again.extend(parts.iter().map(|part| Part { outline: part.outline, slot: part.near, steps: 0 }));
+        self.again.extend(parts.iter().map(|&Rest { outline, near }| Part {
+            outline,
+            slot: near,
+            walk: Walk::new(near),
+        }));
         while let Some(part) = self.again.pop() {
             if pieces.len() + self.again.len() + self.rest.len() >= limits.most || limits.control.is_stopped()
             {
@@ -172,7 +171,7 @@ impl<'b> Cells<'b> {
     /// Cuts off what lies beyond the edges of a face, and makes a cell of what is left.
     fn clip(&mut self, part: Part, task: Task<'_>, workspace: &mut Workspace, pieces: &mut Vec<Piece>) {
         let Task { scale, criterion, area } = task;
-        let Part { mut outline, slot, steps } = part;
+        let Part { mut outline, slot, walk } = part;
         let facet = self.facets.facet(slot);
         if facet.normal == DVec3::ZERO {
             self.rest.push(Rest { outline, near: slot });
@@ -182,24 +181,31 @@ impl<'b> Cells<'b> {
         let edges = facet.edges.map(|edge| (scale.along(edge.outward, edge.from), edge.across));
         let at_centre = height.at(outline.centre());
         if at_centre * at_centre > FARTHEST * facet.area {
-            self.rest.push(Rest { outline, near: slot });
-            return;
-        }
-        let share = outline.share() * area;
-        if steps <= MOST_STEPS
-            && (share > MOST_AREA * facet.area
-                || outline.longest_way(scale).0.length_squared() > MOST_AREA * facet.longest_edge_sq())
-            && let Some(halves) = outline.halve(scale)
-        {
-            for outline in halves {
-                let near = self.bvh.nearest(scale.point(outline.centre()).to_array(), slot, workspace);
-                self.parts.push(Part { outline, slot: near.slot, steps: steps + STEPS_OF_HALVES });
+            // Far beside a face its plane says nothing about how far B is.
+            let near = self.nearest(&outline, slot, scale, workspace);
+            if near == slot || walk.is_over() {
+                self.rest.push(Rest { outline, near });
+            } else {
+                self.parts.push(Part { outline, slot: near, walk: walk.to(near) });
             }
             return;
         }
+        let share = outline.share() * area;
         let (width, most) = (criterion.width_of(share), MOST_WIDTH * criterion.width_of(area));
         let width = if width < most { width } else { most };
-        let mut tried = [steps > MOST_STEPS; 3];
+        if walk.may_halve()
+            && (share > MOST_AREA * facet.area
+                || outline.longest_way(scale).0.length_squared() > MOST_AREA * facet.longest_edge_sq()
+                || walk.is_too_long() && self.is_elsewhere(&outline, slot, width, scale, workspace))
+            && let Some(halves) = outline.halve(scale)
+        {
+            for outline in halves {
+                let slot = self.nearest(&outline, slot, scale, workspace);
+                self.parts.push(Part { outline, slot, walk: walk.half(slot) });
+            }
+            return;
+        }
+        let mut tried = [walk.is_over(); 3];
         loop {
             let (low, high) = range(&height.row(&outline));
             let distance = if high > -low { high } else { -low };
@@ -219,13 +225,13 @@ impl<'b> Cells<'b> {
             let across = edges[k].1;
             // All of it lies beyond, but for a strip.
             if least >= -LEAST_STRIP * most {
-                self.step(outline, slot, across, steps);
+                self.step(outline, across, part);
                 return;
             }
             if outline.count == MOST_CORNERS {
                 match outline.cut_apart() {
                     Some(parts) => {
-                        self.parts.extend(parts.map(|outline| Part { outline, slot, steps: steps + 1 }));
+                        self.parts.extend(parts.map(|outline| Part { outline, walk: walk.cut(), ..part }));
                     }
                     None => self.rest.push(Rest { outline, near: slot }),
                 }
@@ -233,7 +239,7 @@ impl<'b> Cells<'b> {
             }
             match outline.cut(&row) {
                 Some([out, inside]) => {
-                    self.step(out, slot, across, steps);
+                    self.step(out, across, part);
                     outline = inside;
                 }
                 None => tried[k] = true,
@@ -242,7 +248,7 @@ impl<'b> Cells<'b> {
         let row = height.row(&outline);
         let (low, high) = range(&row);
         let sides = if low < -OVERHANG * width && high > OVERHANG * width { outline.cut(&row) } else { None };
-        let part = Part { outline, slot, steps };
+        let part = Part { outline, ..part };
         match sides {
             Some([above, below]) => {
                 for outline in [above, below] {
@@ -253,17 +259,38 @@ impl<'b> Cells<'b> {
         }
     }
 
-    fn step(&mut self, outline: Outline, slot: Slot, across: Option<Slot>, steps: u32) {
+    /// What of a part lies beyond an edge goes to the face across it.
+    fn step(&mut self, outline: Outline, across: Option<Slot>, Part { slot, walk, .. }: Part) {
         match across {
-            Some(slot) => self.parts.push(Part { outline, slot, steps: steps + 1 }),
+            Some(slot) => self.parts.push(Part { outline, slot, walk: walk.to(slot) }),
             None => self.rest.push(Rest { outline, near: slot }),
         }
+    }
+
+    /// The face nearest to the centre of a part, sought from this one.
+    fn nearest(&self, outline: &Outline, from: Slot, scale: &Scale, workspace: &mut Workspace) -> Slot {
+        self.bvh.nearest(scale.point(outline.centre()).to_array(), from, workspace).slot
+    }
+
+    /// Whether the centre of a part is nearer to another face than to this one by more than a width.
+    #[cold]
+    fn is_elsewhere(
+        &self,
+        outline: &Outline,
+        slot: Slot,
+        width: f64,
+        scale: &Scale,
+        workspace: &mut Workspace,
+    ) -> bool {
+        let centre = scale.point(outline.centre()).to_array();
+        let nearest = self.bvh.nearest(centre, slot, workspace).distance_sq.sqrt();
+        self.bvh.distance_sq(centre, slot).sqrt() > nearest + width
     }
 
     /// Bounds the distance on a cell. `height` is that over the plane of its face.
     fn cell(
         &mut self,
-        Part { outline, slot, steps }: Part,
+        Part { outline, slot, walk }: Part,
         height: &Linear,
         width: f64,
         Task { scale, criterion, area }: Task<'_>,
@@ -290,7 +317,7 @@ impl<'b> Cells<'b> {
                 return;
             }
         }
-        self.wide.push(Cell { outline, slot, steps, points, upper, most, width });
+        self.wide.push(Cell { outline, slot, walk, points, upper, most, width });
     }
 
     /// Compares the cells that came out too wide with the faces around them.
@@ -300,14 +327,14 @@ impl<'b> Cells<'b> {
         }
         self.compare.begin(&self.wide, scale);
         for i in 0..self.wide.len() {
-            let Cell { outline, slot, steps, .. } = self.wide[i];
+            let Cell { outline, slot, walk, .. } = self.wide[i];
             let parts = match self.compare.bound(&self.wide[i], scale) {
                 Some(Compared { polygon, blocking }) => {
                     if criterion.width_unless_met(&polygon, &outline.weights(), area).is_none() {
                         pieces.push(Piece { polygon, near: slot });
                         continue;
                     }
-                    blocking.filter(|_| steps <= MOST_STEPS && outline.count < MOST_CORNERS).and_then(
+                    blocking.filter(|_| !walk.is_over() && outline.count < MOST_CORNERS).and_then(
                         |(other, side)| {
                             let [there, here] = outline.cut(&side)?;
                             Some([(there, other), (here, slot)])
@@ -318,8 +345,8 @@ impl<'b> Cells<'b> {
             };
             match parts {
                 Some(parts) => {
-                    let steps = steps + STEPS_OF_BISECTOR;
-                    self.again.extend(parts.map(|(outline, slot)| Part { outline, slot, steps }));
+                    let walk = walk.aside();
+                    self.again.extend(parts.map(|(outline, slot)| Part { outline, slot, walk }));
                 }
                 None => self.rest.push(Rest { outline, near: slot }),
             }

@@ -9,6 +9,7 @@ use super::behind::{Plane, rising, tilted};
 use super::candidates::{Candidate, Scale};
 use super::fronts::Front;
 use super::polygon::{MOST_CORNERS, Outline, Polygon, Row};
+use super::walk::Walk;
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::geom::point_triangle::LANES;
@@ -20,8 +21,7 @@ use pompeiu_core::spatial::{Bvh, Slot};
 pub(super) struct Cell {
     pub(super) outline: Outline,
     pub(super) slot: Slot,
-    /// From face to face on the way to it.
-    pub(super) steps: u32,
+    pub(super) walk: Walk,
     /// The corners, coordinate by coordinate.
     pub(super) points: [Row; 3],
     /// Distances of the corners from the face, with their margin, and the greatest.

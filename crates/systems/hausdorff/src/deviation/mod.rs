@@ -59,6 +59,7 @@ mod tally;
 mod task;
 mod tessellation;
 mod unknown;
+mod walk;
 
 pub(crate) use measure::VertexDistances;
 

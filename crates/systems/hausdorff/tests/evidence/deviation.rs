@@ -48,6 +48,43 @@ fn a_thin_face_over_many_small_ones_is_cut_into_their_cells() {
     assert!(found.work.pieces < 2000, "{:?}", found.work);
 }
 
+/// A large face begins over the face nearest to its first corner, whose plane is far from its centre where that face is tilted.
+#[test]
+fn a_large_face_over_tilted_ones_is_cut_into_their_cells() {
+    let scan = displace_at_random(&plate(80), 1.5e-3, 1).unwrap();
+    let Aabb { lower, .. } = Aabb::of_faces(&scan);
+    let corners = [[0.05, 0.05], [0.94, 0.85], [0.85, 0.94]].map(|[x, y]| [lower[0] + x, lower[1] + y, 0.0]);
+    let whole = |first: usize| {
+        TriMesh::new(corners.to_vec(), vec![[first, first + 1, first + 2].map(|v| (v % 3) as u32)]).unwrap()
+    };
+    for first in 0..3 {
+        let options = DeviationOptions { accuracy: 1e-4, ..DeviationOptions::default() };
+        let found = options.directed(&whole(first), &scan).unwrap();
+        assert_eq!(found.stop, StopReason::Tolerance);
+        assert!(found.work.pieces < 50_000, "{:?}", found.work);
+    }
+}
+
+/// Small faces over the point where hundreds of thin ones meet are cut into the cells of their overlay.
+#[test]
+fn small_faces_over_a_fan_are_cut_into_its_cells() {
+    let scan = displace_at_random(&plate(40), 1e-5, 1).unwrap();
+    let Aabb { lower, upper } = Aabb::of_faces(&scan);
+    let at =
+        |x: f64, y: f64| [lower[0] + x * (upper[0] - lower[0]), lower[1] + y * (upper[1] - lower[1]), 0.0];
+    let count = 500_u32;
+    let mut positions = vec![at(0.41, 0.42)];
+    positions.extend((0..count).map(|i| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(count)).sin_cos();
+        at(0.41 + cos, 0.42 + sin)
+    }));
+    let fan = (0..count).map(|i| [0, i + 1, (i + 1) % count + 1]).collect();
+    let fan = TriMesh::new(positions, fan).unwrap();
+    let found = DeviationOptions::default().directed(&scan, &fan).unwrap();
+    assert_eq!(found.stop, StopReason::Tolerance);
+    assert!(found.work.distances < 500_000, "{:?}", found.work);
+}
+
 /// All statistics of parallel plates are their distance.
 #[test]
 fn parallel_plates() {
