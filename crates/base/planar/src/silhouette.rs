@@ -209,11 +209,17 @@ fn border_is_dark(picture: &Picture, level: f64) -> bool {
 /// Bins of the histogram for the level.
 const BINS: usize = 256;
 
+/// Pictures with a smaller range of levels, such as masks of 16 bits with the values 0 and 1, have bins for that range alone.
+const NARROW: f64 = 16.0 / 255.0;
+
 /// The level that maximises the variance between the two classes; the middle of all such levels.
 fn otsu(levels: &[f32]) -> f64 {
+    let (low, high) = range(levels);
+    let (low, high) = (f64::from(low), f64::from(high));
+    let (low, width) = if low < high && high - low < NARROW { (low, high - low) } else { (0.0, 1.0) };
     let mut counts = [0_u64; BINS];
     for v in levels {
-        counts[((f64::from(*v) * 255.0).round() as usize).min(BINS - 1)] += 1;
+        counts[(((f64::from(*v) - low) / width * 255.0).round() as usize).min(BINS - 1)] += 1;
     }
     let total = levels.len() as f64;
     let all: f64 = counts.iter().enumerate().map(|(i, n)| i as f64 * *n as f64).sum();
@@ -233,5 +239,5 @@ fn otsu(levels: &[f32]) -> f64 {
             best.2 = i;
         }
     }
-    (0.5 * (best.1 + best.2) as f64 + 0.5) / 255.0
+    low + width * ((0.5 * (best.1 + best.2) as f64 + 0.5) / 255.0)
 }

@@ -1,6 +1,6 @@
 //! Windows bitmaps without compression, of 1, 4, 8, 24 and 32 bits.
 
-use super::{PictureError, PictureFormat, Pixels, pixels};
+use super::{PictureError, PictureFormat, Pixels, Samples, pixels};
 
 /// Size of the file header, before the header of the bitmap.
 const FILE_HEADER: usize = 14;
@@ -43,7 +43,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Pixels, PictureError> {
     };
     let table_start = FILE_HEADER.checked_add(header).ok_or_else(short)?;
     let table = bytes.get(table_start..).and_then(|rest| rest.get(..4 * colours)).ok_or_else(short)?;
-    let mut found = Pixels::with_capacity(count);
+    let mut found = Vec::with_capacity(count);
     for row in 0..rows {
         // Rows go from bottom to top, unless the height is negative.
         let line = if height < 0 { row } else { rows - 1 - row };
@@ -60,8 +60,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Pixels, PictureError> {
                 None => line.get(column * bits / 8..column * bits / 8 + 3),
             };
             let bgr = bgr.ok_or_else(|| wrong("a pixel names a colour that its table lacks"))?;
-            found.push([bgr[2], bgr[1], bgr[0]]);
+            found.push([bgr[2], bgr[1], bgr[0], u8::MAX]);
         }
     }
-    found.of_size(across, rows).ok_or_else(short)
+    Pixels::of_size(across, rows, Samples::Eight(found), false).ok_or_else(short)
 }

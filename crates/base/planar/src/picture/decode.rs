@@ -1,6 +1,6 @@
 //! Decoding PNG, JPEG and GIF with libraries.
 
-use super::{PictureError, PictureFormat, Pixels, pixels};
+use super::{PictureError, PictureFormat, Pixels, Rgba, Samples, pixels};
 use png::{BitDepth, ColorType, Transformations};
 use std::io::Cursor;
 use zune_jpeg::JpegDecoder;
@@ -15,32 +15,40 @@ fn damaged(format: PictureFormat) -> impl Fn(String) -> PictureError {
 pub(super) fn png(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let wrong = damaged(PictureFormat::Png);
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(Transformations::normalize_to_color8());
+    decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| wrong(error.to_string()))?;
     let (width, height) = (reader.info().width, reader.info().height);
-    let count = pixels(width.into(), height.into())?;
+    pixels(width.into(), height.into())?;
     let size = reader.output_buffer_size().ok_or_else(|| wrong("it is too large".to_owned()))?;
     let mut buffer = vec![0; size];
     let frame = reader.next_frame(&mut buffer).map_err(|error| wrong(error.to_string()))?;
     let data = &buffer[..frame.buffer_size()];
-    if frame.bit_depth != BitDepth::Eight {
-        return Err(wrong("its samples are not of 8 bits after normalising".to_owned()));
+    if frame.color_type == ColorType::Indexed {
+        return Err(wrong("its colours are not expanded".to_owned()));
     }
-    let mut found = Pixels::with_capacity(count);
-    match frame.color_type {
-        ColorType::Grayscale => data.iter().for_each(|g| found.push([*g; 3])),
-        ColorType::GrayscaleAlpha => {
-            data.chunks_exact(2).for_each(|p| found.push_with_opacity([p[0], p[0], p[0], p[1]]));
+    let samples = match frame.bit_depth {
+        BitDepth::Eight => Samples::Eight(rgba(data.iter().copied(), frame.color_type, u8::MAX)),
+        BitDepth::Sixteen => {
+            let samples = data.chunks_exact(2).map(|sample| u16::from_be_bytes([sample[0], sample[1]]));
+            Samples::Sixteen(rgba(samples, frame.color_type, u16::MAX))
         }
-        ColorType::Rgb => data.chunks_exact(3).for_each(|p| found.push([p[0], p[1], p[2]])),
-        ColorType::Rgba => {
-            data.chunks_exact(4).for_each(|p| found.push_with_opacity([p[0], p[1], p[2], p[3]]));
-        }
-        ColorType::Indexed => return Err(wrong("its colours are not expanded".to_owned())),
-    }
-    found
-        .of_size(width as usize, height as usize)
+        _ => return Err(wrong("its samples are not of 8 or 16 bits after expansion".to_owned())),
+    };
+    let has_opacity = matches!(frame.color_type, ColorType::GrayscaleAlpha | ColorType::Rgba);
+    Pixels::of_size(width as usize, height as usize, samples, has_opacity)
         .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
+}
+
+/// Pixels from their samples, opaque where they have no opacity.
+fn rgba<T: Copy>(mut samples: impl Iterator<Item = T>, of: ColorType, opaque: T) -> Vec<Rgba<T>> {
+    let is_grey = matches!(of, ColorType::Grayscale | ColorType::GrayscaleAlpha);
+    let has_opacity = matches!(of, ColorType::GrayscaleAlpha | ColorType::Rgba);
+    let mut pixel = || {
+        let red = samples.next()?;
+        let [green, blue] = if is_grey { [red; 2] } else { [samples.next()?, samples.next()?] };
+        Some([red, green, blue, if has_opacity { samples.next()? } else { opaque }])
+    };
+    std::iter::from_fn(&mut pixel).collect()
 }
 
 pub(super) fn jpeg(bytes: &[u8]) -> Result<Pixels, PictureError> {
@@ -53,11 +61,11 @@ pub(super) fn jpeg(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     decoder.decode_headers().map_err(|error| wrong(error.to_string()))?;
     let (width, height) = decoder.dimensions().ok_or_else(|| wrong("it has no size".to_owned()))?;
-    let count = pixels(width as u64, height as u64)?;
+    pixels(width as u64, height as u64)?;
     let data = decoder.decode().map_err(|error| wrong(error.to_string()))?;
-    let mut found = Pixels::with_capacity(count);
-    data.chunks_exact(3).for_each(|p| found.push([p[0], p[1], p[2]]));
-    found.of_size(width, height).ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
+    let samples = Samples::Eight(rgba(data.into_iter(), ColorType::Rgb, u8::MAX));
+    Pixels::of_size(width, height, samples, false)
+        .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }
 
 pub(super) fn gif(bytes: &[u8]) -> Result<Pixels, PictureError> {
@@ -79,16 +87,7 @@ pub(super) fn gif(bytes: &[u8]) -> Result<Pixels, PictureError> {
             places.iter_mut().zip(line.chunks_exact(4)).for_each(|(to, p)| *to = [p[0], p[1], p[2], p[3]]);
         }
     }
-    let mut found = Pixels::with_capacity(count);
-    let is_opaque = canvas.iter().all(|p| p[3] == 255);
-    for p in canvas {
-        if is_opaque {
-            found.push([p[0], p[1], p[2]]);
-        } else {
-            found.push_with_opacity(p);
-        }
-    }
-    found
-        .of_size(width.into(), height.into())
+    let has_opacity = canvas.iter().any(|p| p[3] != u8::MAX);
+    Pixels::of_size(width.into(), height.into(), Samples::Eight(canvas), has_opacity)
         .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }

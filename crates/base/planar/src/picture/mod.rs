@@ -2,13 +2,15 @@
 
 mod bmp;
 mod decode;
+mod grey;
 
 use std::fmt;
 
 /// A picture as grey levels from 0 (black) to 1 (white), row by row from the top.
 ///
-/// Colours become luminance (Rec. 601 weights of the stored values). Transparent pixels are composited on white, unless opacity has
-/// more contrast than colour: then the level is 1 − opacity.
+/// Colours become luminance (Rec. 601 weights of the stored values), unless they differ far more in hue: then the level is where they lie
+/// along the direction in which they vary most, as between red and a green of the same luminance. Transparent pixels are composited on white,
+/// unless opacity has more contrast than colour: then the level is 1 − opacity. Samples of 16 bits keep all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     width: usize,
@@ -130,8 +132,9 @@ impl ColourPicture {
             let opacity = u16::from(opacity);
             [red, green, blue].map(|c| ((u16::from(c) * opacity + 255 * (255 - opacity) + 127) / 255) as u8)
         };
-        let pixels = found.rgba.into_iter().map(on_white).collect();
-        Ok(Self { width: found.width, height: found.height, pixels })
+        let (width, height) = (found.width, found.height);
+        let pixels = found.into_eight_bits().into_iter().map(on_white).collect();
+        Ok(Self { width, height, pixels })
     }
 
     /// Pixels in a row, and rows.
@@ -170,11 +173,20 @@ fn pixels(width: u64, height: u64) -> Result<usize, PictureError> {
     }
 }
 
-/// Pixels of red, green, blue and opacity, each from 0 to 255.
+/// Red, green, blue and opacity of a pixel.
+type Rgba<T> = [T; 4];
+
+/// Pixels, each sample from 0 to the greatest number of its bits.
+enum Samples {
+    Eight(Vec<Rgba<u8>>),
+    Sixteen(Vec<Rgba<u16>>),
+}
+
+/// What was decoded.
 struct Pixels {
     width: usize,
     height: usize,
-    rgba: Vec<[u8; 4]>,
+    samples: Samples,
     has_opacity: bool,
 }
 
@@ -188,45 +200,30 @@ impl Pixels {
         }
     }
 
-    fn with_capacity(count: usize) -> Self {
-        Self { width: 0, height: 0, rgba: Vec::with_capacity(count), has_opacity: false }
-    }
-
-    fn push(&mut self, [red, green, blue]: [u8; 3]) {
-        self.rgba.push([red, green, blue, 255]);
-    }
-
-    fn push_with_opacity(&mut self, pixel: [u8; 4]) {
-        self.rgba.push(pixel);
-        self.has_opacity = true;
-    }
-
     /// The pixels, if their number matches the size.
-    fn of_size(mut self, width: usize, height: usize) -> Option<Self> {
-        (self.width, self.height) = (width, height);
-        (width.checked_mul(height) == Some(self.rgba.len()) && width > 0 && height > 0).then_some(self)
+    fn of_size(width: usize, height: usize, samples: Samples, has_opacity: bool) -> Option<Self> {
+        let count = match &samples {
+            Samples::Eight(samples) => samples.len(),
+            Samples::Sixteen(samples) => samples.len(),
+        };
+        let is_whole = width.checked_mul(height) == Some(count) && width > 0 && height > 0;
+        is_whole.then_some(Self { width, height, samples, has_opacity })
     }
 
-    /// Grey levels: the luminance on white, or the opacity if that has more contrast.
     fn levels(&self) -> Vec<f32> {
-        let grey = |[red, green, blue, _]: [u8; 4]| {
-            let sum = 0.299 * f64::from(red) + 0.587 * f64::from(green) + 0.114 * f64::from(blue);
-            (sum / 255.0) as f32
-        };
-        if !self.has_opacity {
-            return self.rgba.iter().map(|p| grey(*p)).collect();
+        match &self.samples {
+            Samples::Eight(samples) => grey::levels(samples, f64::from(u8::MAX), self.has_opacity),
+            Samples::Sixteen(samples) => grey::levels(samples, f64::from(u16::MAX), self.has_opacity),
         }
-        let opacity: Vec<f32> = self.rgba.iter().map(|p| f32::from(p[3]) / 255.0).collect();
-        let colour: Vec<f32> =
-            self.rgba.iter().zip(&opacity).map(|(p, opacity)| opacity * grey(*p) + (1.0 - opacity)).collect();
-        let spread = |values: &[f32]| {
-            let mean = values.iter().map(|x| f64::from(*x)).sum::<f64>() / values.len() as f64;
-            values.iter().map(|x| (f64::from(*x) - mean).powi(2)).sum::<f64>() / values.len() as f64
-        };
-        if spread(&opacity) > spread(&colour) {
-            opacity.iter().map(|opacity| 1.0 - opacity).collect()
-        } else {
-            colour
+    }
+
+    /// The pixels with 8 bits a sample.
+    fn into_eight_bits(self) -> Vec<Rgba<u8>> {
+        match self.samples {
+            Samples::Eight(samples) => samples,
+            Samples::Sixteen(samples) => {
+                samples.into_iter().map(|pixel| pixel.map(|sample| (sample >> 8) as u8)).collect()
+            }
         }
     }
 }

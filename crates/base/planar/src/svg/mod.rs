@@ -93,8 +93,8 @@ pub fn read(text: &str) -> Result<Vec<Polyline>, SvgError> {
 ///
 /// # Definition
 /// Paths, polygons, polylines, rectangles, circles and ellipses, with the transforms of all elements around them; groups, nested drawings
-/// with their viewports, and what `use` shows, symbols too. Elements without curves, with `display` `none`, and shapes of no width, height or
-/// radius draw nothing.
+/// with their viewports, and what `use` shows, symbols too. Elements without curves, with `display` `none`, those that are not visible, and
+/// shapes of no width, height or radius draw nothing.
 ///
 /// # Limits
 /// The `viewBox` of the whole drawing only says what percentages refer to: coordinates are those of its user space. Style sheets, text and
@@ -196,6 +196,27 @@ mod tests {
         let off = |p: &Point| (((p[0] - 2.0) / 2.0).powi(2) + (p[1] - 1.0).powi(2) - 1.0).abs();
         assert!(found[0].points.iter().all(|p| off(p) < 1e-3), "an ellipse: {found:?}");
         assert!(read("<svg><circle r='-1'/></svg>").is_err());
+    }
+
+    #[test]
+    fn what_is_hidden_is_not_drawn_but_for_what_is_visible_in_it() {
+        let text = "<svg><g visibility='hidden'><circle r='1'/><rect width='1' height='2' style='visibility:visible'/></g>\
+            <circle r='1' style='visibility: collapse'/></svg>";
+        let found = read(text).unwrap();
+        assert_eq!((found.len(), found[0].points[2]), (1, [1.0, 2.0]));
+    }
+
+    #[test]
+    fn transforms_may_be_properties_and_have_an_origin() {
+        let text = "<svg><rect width='1' height='2' style='transform: translate(3px, 4px) scale(2)' transform='scale(9)'/>\
+            <rect width='1' height='2' transform='scale(2)' transform-origin='1 2'/><rect width='1' height='2' transform='none'/></svg>";
+        let found: Vec<Vec<Point>> = read(text).unwrap().into_iter().map(|curve| curve.points).collect();
+        let corners = |i: usize| (found[i][0], found[i][2]);
+        assert_eq!(corners(0), ([3.0, 4.0], [5.0, 8.0]));
+        assert_eq!(corners(1), ([-1.0, -2.0], [1.0, 2.0]));
+        assert_eq!(corners(2), ([0.0, 0.0], [1.0, 2.0]));
+        let error = read("<svg><rect transform='scale(2)' transform-origin='left'/></svg>").unwrap_err();
+        assert!(error.to_string().contains("transform-origin"), "{error}");
     }
 
     #[test]

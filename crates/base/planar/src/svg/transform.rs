@@ -1,5 +1,6 @@
-//! Affine maps in the attribute `transform`.
+//! Affine maps in the attribute and in the property `transform`.
 
+use super::lengths::{Of, length};
 use super::numbers::numbers;
 use crate::Point;
 
@@ -18,15 +19,35 @@ impl Transform {
         Self([x, 0.0, 0.0, y, 0.0, 0.0])
     }
 
-    /// A list of transforms; the last one is applied first.
+    /// A list of transforms; the last one is applied first. `none` is that of no transforms.
     pub(super) fn parse(text: &str) -> Result<Self, String> {
+        Self::list(text, |_, arguments| numbers(arguments))
+    }
+
+    /// The same with lengths and angles that have units, as properties have them.
+    pub(super) fn parse_property(text: &str) -> Result<Self, String> {
+        let with_unit = |name: &str, argument: &str| match name {
+            "rotate" | "skew" | "skewX" | "skewY" => degrees(argument),
+            "translate" | "translateX" | "translateY" => length(argument, Of::Width, None),
+            _ => argument.trim().parse().map_err(|_| format!("expected a number, found `{argument}`")),
+        };
+        Self::list(text, |name, arguments| {
+            arguments.split(',').map(|argument| with_unit(name, argument.trim())).collect()
+        })
+    }
+
+    fn list(text: &str, read: impl Fn(&str, &str) -> Result<Vec<f64>, String>) -> Result<Self, String> {
         let mut all = Self::IDENTITY;
+        if text.trim() == "none" {
+            return Ok(all);
+        }
         for part in text.split(')').map(|part| part.trim_matches(|c: char| c.is_whitespace() || c == ',')) {
             if part.is_empty() {
                 continue;
             }
             let (name, arguments) = part.split_once('(').ok_or_else(|| format!("`{part}` lacks brackets"))?;
-            all = all.then_inner(Self::one(name.trim(), &numbers(arguments)?)?);
+            let name = name.trim();
+            all = all.then_inner(Self::one(name, &read(name, arguments)?)?);
         }
         Ok(all)
     }
@@ -36,18 +57,26 @@ impl Transform {
             let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
             Self([c, s, -s, c, 0.0, 0.0])
         };
+        let skew = |degrees: Point| {
+            let [x, y] = degrees.map(|degrees| libm::tan(degrees.to_radians()));
+            Self([1.0, y, x, 1.0, 0.0, 0.0])
+        };
         Ok(match (name, arguments) {
             ("matrix", &[a, b, c, d, e, f]) => Self([a, b, c, d, e, f]),
-            ("translate", &[x]) => Self::shift([x, 0.0]),
+            ("translate" | "translateX", &[x]) => Self::shift([x, 0.0]),
+            ("translateY", &[y]) => Self::shift([0.0, y]),
             ("translate", &[x, y]) => Self::shift([x, y]),
             ("scale", &[s]) => Self::scale([s, s]),
             ("scale", &[x, y]) => Self::scale([x, y]),
+            ("scaleX", &[x]) => Self::scale([x, 1.0]),
+            ("scaleY", &[y]) => Self::scale([1.0, y]),
             ("rotate", &[degrees]) => rotation(degrees),
             ("rotate", &[degrees, x, y]) => {
                 Self::shift([x, y]).then_inner(rotation(degrees)).then_inner(Self::shift([-x, -y]))
             }
-            ("skewX", &[degrees]) => Self([1.0, 0.0, libm::tan(degrees.to_radians()), 1.0, 0.0, 0.0]),
-            ("skewY", &[degrees]) => Self([1.0, libm::tan(degrees.to_radians()), 0.0, 1.0, 0.0, 0.0]),
+            ("skewX" | "skew", &[x]) => skew([x, 0.0]),
+            ("skewY", &[y]) => skew([0.0, y]),
+            ("skew", &[x, y]) => skew([x, y]),
             _ => return Err(format!("there is no transform {name} of {} numbers", arguments.len())),
         })
     }
@@ -66,6 +95,19 @@ impl Transform {
     }
 }
 
+/// An angle in degrees.
+fn degrees(text: &str) -> Result<f64, String> {
+    // `grad` ends with `rad`.
+    let units = [("deg", 1.0), ("grad", 0.9), ("rad", 180.0 / std::f64::consts::PI), ("turn", 360.0)];
+    let found = units.iter().find_map(|(unit, factor)| Some((text.strip_suffix(unit)?, *factor)));
+    let (number, factor) = found.unwrap_or((text, 1.0));
+    match number.trim_end().parse::<f64>() {
+        // Without a unit only 0 is an angle in a style sheet; programs mean degrees.
+        Ok(x) if (x * factor).is_finite() => Ok(x * factor),
+        _ => Err(format!("`{text}` is not an angle in deg, grad, rad or turn")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -77,6 +119,11 @@ mod tests {
         assert!((x - 5.0).abs() < 1e-15 && (y - 8.0).abs() < 1e-15);
         let about = Transform::parse("rotate(180 1 1)").unwrap().apply([0.0, 0.0]);
         assert!((about[0] - 2.0).abs() < 1e-15 && (about[1] - 2.0).abs() < 1e-15);
+        assert_eq!(Transform::parse("none").unwrap(), Transform::IDENTITY);
+        let of_style = Transform::parse_property("translateX(1in) rotate(0.25turn) scale(2, 3)").unwrap();
+        let [x, y] = of_style.apply([1.0, 1.0]);
+        assert!((x - 93.0).abs() < 1e-13 && (y - 2.0).abs() < 1e-13, "{x} {y}");
+        assert!(Transform::parse_property("rotate(1px)").is_err());
         assert!(Transform::parse("turn(3)").is_err() && Transform::parse("scale 2").is_err());
     }
 }

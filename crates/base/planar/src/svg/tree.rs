@@ -1,6 +1,6 @@
 //! The tree of a drawing: groups, nested drawings, and copies by `use`.
 
-use super::lengths::Of;
+use super::lengths::{Of, length};
 use super::path::Curve;
 use super::shapes::{self, Wrong, attribute};
 use super::transform::Transform;
@@ -31,6 +31,7 @@ struct Place {
     transform: Transform,
     fill_rule: FillRule,
     is_filled: bool,
+    is_visible: bool,
     viewport: Option<Point>,
     copy: Option<Rc<Copy>>,
 }
@@ -86,6 +87,7 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
         transform: Transform::IDENTITY,
         fill_rule: FillRule::NonZero,
         is_filled: true,
+        is_visible: true,
         viewport,
         copy: None,
     };
@@ -126,7 +128,7 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
             count.points += curves.iter().map(Curve::pieces).sum::<usize>();
             count.check(node)?;
         }
-        if !curves.is_empty() {
+        if !curves.is_empty() && place.is_visible {
             for curve in &mut curves {
                 curve.transform(&place.transform);
             }
@@ -147,17 +149,40 @@ fn line(node: Node<'_, '_>) -> u32 {
     node.document().text_pos_at(node.range().start).row
 }
 
-/// A property of an element, from its attribute `style` or one of its own.
-fn property<'n>(node: Node<'n, '_>, name: &str) -> Option<&'n str> {
+/// A property in the attribute `style` of an element.
+fn styled<'n>(node: Node<'n, '_>, name: &str) -> Option<&'n str> {
     let styles = node.attribute("style").unwrap_or_default().split(';');
     let styled = styles.filter_map(|style| style.split_once(':')).filter(|(of, _)| of.trim() == name);
-    styled.map(|(_, value)| value).next_back().or_else(|| node.attribute(name)).map(str::trim)
+    styled.map(|(_, value)| value.trim().trim_end_matches("!important").trim_end()).next_back()
+}
+
+/// A property of an element, from its attribute `style` or one of its own.
+fn property<'n>(node: Node<'n, '_>, name: &str) -> Option<&'n str> {
+    styled(node, name).or_else(|| node.attribute(name).map(str::trim))
+}
+
+/// The transform of an element, about the origin that it names.
+fn transform(node: Node<'_, '_>, viewport: Option<Point>) -> Result<Transform, Wrong> {
+    let own = match (styled(node, "transform"), node.attribute("transform")) {
+        (Some(text), _) => Transform::parse_property(text),
+        (None, Some(text)) => Transform::parse(text),
+        (None, None) => return Ok(Transform::IDENTITY),
+    };
+    let own = own.map_err(|why| ("transform", why))?;
+    let Some(origin) = property(node, "transform-origin") else { return Ok(own) };
+    let words: Vec<&str> = origin.split_whitespace().collect();
+    let [x, y] = words[..] else {
+        let why = format!("`{origin}` is not two lengths; give the place in the transform itself");
+        return Err(("transform-origin", why));
+    };
+    let at = |text, of| length(text, of, viewport).map_err(|why| ("transform-origin", why));
+    let [x, y] = [at(x, Of::Width)?, at(y, Of::Height)?];
+    Ok(Transform::shift([x, y]).then_inner(own).then_inner(Transform::shift([-x, -y])))
 }
 
 /// What an element has for its own content.
 fn placed(node: Node<'_, '_>, above: Place) -> Result<Place, Wrong> {
-    let own = node.attribute("transform").map_or(Ok(Transform::IDENTITY), Transform::parse);
-    let transform = above.transform.then_inner(own.map_err(|why| ("transform", why))?);
+    let transform = above.transform.then_inner(transform(node, above.viewport)?);
     let fill_rule = match property(node, "fill-rule") {
         Some("evenodd") => FillRule::EvenOdd,
         Some("nonzero") => FillRule::NonZero,
@@ -167,7 +192,12 @@ fn placed(node: Node<'_, '_>, above: Place) -> Result<Place, Wrong> {
         Some("inherit") | None => above.is_filled,
         Some(paint) => paint != "none",
     };
-    Ok(Place { transform, fill_rule, is_filled, ..above })
+    let is_visible = match property(node, "visibility") {
+        Some("hidden" | "collapse") => false,
+        Some("visible") => true,
+        _ => above.is_visible,
+    };
+    Ok(Place { transform, fill_rule, is_filled, is_visible, ..above })
 }
 
 /// The element that a `use` refers to.

@@ -19,9 +19,14 @@ fn grey() -> Vec<u8> {
 }
 
 fn png(data: &[u8], colour: png::ColorType) -> Vec<u8> {
+    png_of_depth(data, colour, png::BitDepth::Eight)
+}
+
+fn png_of_depth(data: &[u8], colour: png::ColorType, depth: png::BitDepth) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, WIDTH as u32, HEIGHT as u32);
     encoder.set_color(colour);
+    encoder.set_depth(depth);
     let mut writer = encoder.write_header().unwrap();
     writer.write_image_data(data).unwrap();
     writer.finish().unwrap();
@@ -92,6 +97,15 @@ fn every_format_shows_the_same_shape() {
         ("gif", gif()),
     ];
     files.extend([1, 4, 8, 24, 32].map(|bits| ("bmp", bmp(bits))));
+    // Masks of labels, and colours of one luminance.
+    let mask = |label: u16| -> Vec<u8> {
+        grey().iter().flat_map(|g| if *g == 0 { label } else { 0 }.to_be_bytes()).collect()
+    };
+    let sixteen = |label| png_of_depth(&mask(label), png::ColorType::Grayscale, png::BitDepth::Sixteen);
+    files.extend([1, 255, 4095, 65535].map(|label| ("16 bits", sixteen(label))));
+    let red_on_green: Vec<u8> =
+        grey().iter().flat_map(|g| if *g == 0 { [255, 0, 0] } else { [0, 130, 0] }).collect();
+    files.push(("red on green", png(&red_on_green, png::ColorType::Rgb)));
     for (name, bytes) in files {
         let picture = Picture::read(&bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!((picture.width(), picture.height()), (WIDTH, HEIGHT));
