@@ -84,6 +84,16 @@ pub enum PuzzleError {
         /// All of them.
         pieces: usize,
     },
+    /// Time was up before any packing was found.
+    #[error(
+        "time was up when {placed} of the {pieces} pieces had a place on the sheet; allow more time, or pack without a limit"
+    )]
+    PackingStopped {
+        /// The most pieces that were placed.
+        placed: usize,
+        /// All of them.
+        pieces: usize,
+    },
     /// The memory limit is too small.
     #[error("the pieces need {needed} bytes of memory, and {limit} are allowed")]
     Memory {

@@ -87,7 +87,8 @@ const AWAY: f64 = 0.1;
 /// Nothing says how near to the best packing this is. A time limit ends it with the shortest strip so far.
 ///
 /// # Errors
-/// [`PuzzleError::Sheet`] with the largest number of pieces that a greedy choice placed, if all have no room.
+/// [`PuzzleError::Sheet`] with the largest number of pieces that a greedy choice placed, if all have no room;
+/// [`PuzzleError::PackingStopped`] with that number if a limit ended the greedy choice.
 ///
 /// # Cost
 /// For each piece and each of up to 48 candidates, the rows of cells near its place, each with some tens of looks; then two and a half million pairs of
@@ -134,7 +135,12 @@ pub(crate) fn pack_and_tell(
         }
     }
     let [width, height] = sheet;
-    work.on_strip(1 - along).ok_or(PuzzleError::Sheet { width, height, gap: kerf, fits, pieces })
+    let found = work.on_strip(1 - along);
+    found.ok_or(if control.is_stopped() && work.area <= width * height {
+        PuzzleError::PackingStopped { placed: fits, pieces }
+    } else {
+        PuzzleError::Sheet { width, height, gap: kerf, fits, pieces }
+    })
 }
 
 /// What is packed.
@@ -248,6 +254,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_end_of_the_time_is_not_taken_for_a_small_sheet() {
+        let puzzle = make(&PuzzleOptions { pieces: 12, ..PuzzleOptions::default() }).unwrap();
+        let stopped = Control::default();
+        stopped.stop(pompeiu_core::run::StopReason::Time);
+        let pack = |sheet| pack(&puzzle, sheet, 0.0, &stopped);
+        assert!(matches!(pack([1e4, 1e4]), Err(PuzzleError::PackingStopped { pieces: 12, .. })));
+        assert!(matches!(pack([1.0, 1.0]), Err(PuzzleError::Sheet { .. })));
     }
 
     #[test]
