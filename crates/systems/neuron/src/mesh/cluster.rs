@@ -89,8 +89,17 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
         if changed {
             continue;
         }
-        let reach: Vec<Vec<f64>> =
+        let mut reach: Vec<Vec<f64>> =
             found.into_iter().map(|of| of.into_iter().map(|s| s.unwrap_or(0.0)).collect()).collect();
+        for c in 0..clusters.len() {
+            let Some((arm, s)) = clusters[c].longer_arm(tubes, &reach[c]) else { continue };
+            let end = clusters[c].ends[arm];
+            let tube = &tubes[end.tube];
+            let other = arm_of.get(&(end.tube, !end.first)).map_or(0.0, |&(c, a)| reach[c][a]);
+            if tube.length() - s - other >= ROOM * tube.at(0.5 * tube.length()).1 {
+                reach[c][arm] = s;
+            }
+        }
         let spans = tubes
             .iter()
             .enumerate()

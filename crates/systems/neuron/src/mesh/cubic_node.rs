@@ -55,7 +55,7 @@ pub(super) fn bend(
         cells.push(std::array::from_fn(|k| lattice[k]));
     }
     let (fixed, on_wall) = boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
-    let sizes: Vec<f64> = if cluster.balls.len() == 1 {
+    let sizes: Vec<f64> = if cluster.has_small_cells(tubes, reach, scale) {
         let corners = |cell: &[u32; 64]| CORNERS_OF_64.map(|k| positions[cell[k] as usize]);
         cells.iter().map(|cell| size_of(&corners(cell))).collect()
     } else {
@@ -129,7 +129,7 @@ fn boundary(
     }
     let mut fixed = vec![false; positions.len()];
     for (end_section, end) in node.sections.iter().zip(&cluster.ends) {
-        let (at, radius) = end.at(tubes, end_section.at);
+        let (at, radius) = end.section(tubes, end_section.at);
         let axis = end.tangent(tubes, end_section.at);
         let (e1, e2) = (end_section.side, axis.cross(end_section.side));
         for (v, key) in refinement.keys().iter().enumerate() {

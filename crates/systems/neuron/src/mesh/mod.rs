@@ -24,6 +24,7 @@ mod linear;
 mod node;
 mod node_mesh;
 mod options;
+mod profile;
 mod proof;
 mod section;
 mod shape;

@@ -61,14 +61,21 @@ impl Cluster {
         self.ends.iter().map(clearance).collect()
     }
 
+    /// An arm and the length that it should have if there is room: the core may lie where a thin tube leaves a thick one.
+    pub(super) fn longer_arm(&self, tubes: &[Tube], reach: &[f64]) -> Option<(usize, f64)> {
+        let Exit { tube, along, radius, .. } = exit(self, tubes, reach)?;
+        let s = self.ends[tube].beside_corners(tubes, along + BESIDE_CORE * radius);
+        (s > reach[tube]).then_some((tube, s))
+    }
+
     fn clearance(&self, tubes: &[Tube], end: End) -> Option<f64> {
         let length = tubes[end.tube].length();
         let (mut s, mut since) = (0.0, None);
         // No section lies within the ball of the tube's own node.
         let least = 0.8 * end.at(tubes, 0.0).1;
         while s <= length {
-            let (centre, radius) = end.at(tubes, s);
-            let clear = s >= least && self.is_clear(tubes, end, s, centre, radius);
+            let radius = end.at(tubes, s).1;
+            let clear = s >= least && self.is_clear(tubes, end, s);
             match (clear, since) {
                 (false, _) => since = None,
                 (true, None) => since = Some(s),
@@ -80,7 +87,8 @@ impl Cluster {
         since
     }
 
-    fn is_clear(&self, tubes: &[Tube], end: End, s: f64, centre: DVec3, radius: f64) -> bool {
+    fn is_clear(&self, tubes: &[Tube], end: End, s: f64) -> bool {
+        let (centre, radius) = end.section(tubes, s);
         let axis = end.tangent(tubes, s);
         let (e1, e2) = axis.any_orthonormal_pair();
         let reach = s + 4.0 * self.radius + 2.0 * radius;
@@ -105,6 +113,12 @@ impl Cluster {
             near.iter().all(|cone| cone.distance(p).0 >= CLEAR * radius)
                 && self.balls.iter().all(|(c, r)| p.distance(*c) - r >= CLEAR * radius)
         })
+    }
+
+    /// Whether cells are much smaller than the cluster: on a ball, and at tubes that are thin beside its depth.
+    pub(super) fn has_small_cells(&self, tubes: &[Tube], reach: &[f64], depth: f64) -> bool {
+        let thinnest = self.ends.iter().zip(reach).map(|(end, s)| end.at(tubes, *s).1);
+        self.balls.len() == 1 || thinnest.fold(f64::INFINITY, f64::min) <= THIN * depth
     }
 
     /// The wall around the cluster.
@@ -350,7 +364,69 @@ fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec
             centres.rotate_left(1);
         }
     }
+    if let Some(exit) = exit(cluster, tubes, reach) {
+        centres.insert(0, exit.centre);
+    }
     centres
+}
+
+/// A tube is thin beside another one if its radius is at most this share of it.
+const THIN: f64 = 0.6;
+
+/// Distance from the node, over the radius, from which on the place where a thin tube leaves a thick one is another one.
+const AWAY: f64 = 0.5;
+
+/// Steps along a tube in which the end of its part within another one is sought.
+const EXIT_STEPS: usize = 50;
+
+/// Length of a thick tube beside a core, in radii.
+const BESIDE_CORE: f64 = 0.85;
+
+/// The place on the axis of a thick tube next to which a thin one leaves it.
+#[derive(Clone, Copy)]
+struct Exit {
+    centre: DVec3,
+    /// The thick tube, the length from the node along it, and its radius.
+    tube: usize,
+    along: f64,
+    radius: f64,
+}
+
+/// The place where a thin tube leaves a thick one, if that is away from the node: there the thin one leaves it sideways, whatever their angle is.
+/// The farthest such place if there are several.
+fn exit(cluster: &Cluster, tubes: &[Tube], reach: &[f64]) -> Option<Exit> {
+    if !cluster.balls.is_empty() {
+        return None;
+    }
+    let place = |length: f64, k: usize| length * k as f64 / EXIT_STEPS as f64;
+    let ends = || cluster.ends.iter().zip(reach).enumerate();
+    let ball = |(tube, (end, &length)): (usize, (&End, &f64)), k: usize| {
+        let along = place(length, k);
+        let (centre, radius) = end.at(tubes, along);
+        Exit { centre, tube, along, radius }
+    };
+    let balls: Vec<Exit> = ends().flat_map(|end| (0..=EXIT_STEPS).map(move |k| ball(end, k))).collect();
+    let mut farthest: Option<Exit> = None;
+    for (index, (end, &length)) in ends() {
+        let thin = end.at(tubes, length).1;
+        let thick = || balls.iter().filter(|ball| ball.tube != index && thin <= THIN * ball.radius);
+        // The ball that contains a point of the axis deepest.
+        let around = |k: usize| {
+            let p = end.at(tubes, place(length, k)).0;
+            let depths = thick().map(|ball| (ball.radius - p.distance(ball.centre), ball));
+            let deepest = depths.max_by(|a, b| a.0.total_cmp(&b.0));
+            deepest.filter(|(depth, _)| *depth >= 0.0).map(|(_, ball)| *ball)
+        };
+        if thick().next().is_none() {
+            continue;
+        }
+        let Some(exit) = (0..EXIT_STEPS).rev().find_map(around) else { continue };
+        let away = |exit: &Exit| exit.along / exit.radius;
+        if away(&exit) > AWAY && farthest.is_none_or(|other| away(&exit) > away(&other)) {
+            farthest = Some(exit);
+        }
+    }
+    farthest
 }
 
 /// The mesh around a node before its vertices are optimised.
@@ -437,7 +513,7 @@ impl Plan<'_> {
         let outer_of = |v: usize, on_wall: &[Option<u32>]| on_wall[v].unwrap_or(v as u32);
         let mut sections = Vec::new();
         for ((end, &s), &quad) in cluster.ends.iter().zip(reach).zip(&assignment.quads) {
-            let (at, radius) = end.at(tubes, s);
+            let (at, radius) = end.section(tubes, s);
             let axis = end.tangent(tubes, s);
             let quad = core.quads[quad];
             let start: [DVec3; 4] = quad.map(|v| corners[v]);
@@ -449,14 +525,16 @@ impl Plan<'_> {
             };
             let distance = start.iter().copied().sum::<DVec3>().distance(4.0 * at) / 4.0;
             let layers = ((distance / (1.5 * radius)).round() as usize).clamp(1, 12);
-            let shares = match ball {
-                // On the ball, the last layers follow the wall into the concave corner where the tube begins.
-                Some(_) => {
-                    let way = quad.map(|v| corners[outer_of(v, &on_wall) as usize].distance(at) - radius);
-                    graded(way.iter().sum::<f64>() / 4.0, layers, ON_BALL * radius)
-                }
-                None => (1..=layers).map(|k| k as f64 / layers as f64).collect(),
+            // Across a thin tube, a ray would leave in another one.
+            let is_thin = ball.is_none() && radius <= THIN * depth;
+            let shares = if ball.is_some() || is_thin {
+                // On the ball or the thick tube, the last layers follow the wall into the concave corner where the tube begins.
+                let way = quad.map(|v| corners[outer_of(v, &on_wall) as usize].distance(at) - radius);
+                graded(way.iter().sum::<f64>() / 4.0, layers, ON_BALL * radius)
+            } else {
+                (1..=layers).map(|k| k as f64 / layers as f64).collect()
             };
+            let first_outer = quad.map(|v| corners[outer_of(v, &on_wall) as usize]);
             let mut inner = quad.map(|v| v as u32);
             let mut outer = quad.map(|v| outer_of(v, &on_wall));
             for (layer, &t) in shares.iter().enumerate() {
@@ -475,12 +553,13 @@ impl Plan<'_> {
                     let rim = at + direction(k) * radius;
                     corners.push(match ball {
                         _ if layer + 1 == shares.len() => rim,
-                        // From the core's corner to the tube along the ball: a ray across a thin tube would leave in another one.
+                        // From the core's corner to the tube along the ball or the thick tube.
                         Some((ball, _)) => {
                             let [from, to] = [start[k], rim].map(|p| (p - ball).normalize_or(out));
                             let out = from.lerp(to, t).normalize_or(out);
                             wall.leave(ball, out, depth)
                         }
+                        None if is_thin => wall.project(first_outer[k].lerp(rim, t)),
                         None => wall.leave(ring[k], out, radius),
                     });
                 }
@@ -508,7 +587,7 @@ impl Plan<'_> {
             refinement.keys().iter().map(|key| weights(key).map(|(v, w)| corners[v] * w).sum()).collect();
         let outer = outer_faces(&cells);
         let kinds = kinds(cluster, tubes, &sections, &refinement, &outer, &mut positions);
-        let sizes: Vec<f64> = if ball.is_some() {
+        let sizes: Vec<f64> = if cluster.has_small_cells(tubes, reach, depth) {
             cells.iter().map(|cell| size_of(&cell.map(|v| positions[v as usize]))).collect()
         } else {
             vec![depth; cells.len()]
@@ -667,7 +746,7 @@ fn kinds(
     let mut kinds = vec![Kind::Inner; positions.len()];
     outer.iter().flatten().for_each(|&v| kinds[v as usize] = Kind::Wall);
     for (section, end) in sections.iter().zip(&cluster.ends) {
-        let (at, radius) = end.at(tubes, section.at);
+        let (at, radius) = end.section(tubes, section.at);
         let axis = end.tangent(tubes, section.at);
         let (e1, e2) = (section.side, axis.cross(section.side));
         for (v, key) in refinement.keys().iter().enumerate() {

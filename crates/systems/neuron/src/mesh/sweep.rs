@@ -46,8 +46,7 @@ impl RadialLength {
             sum.push(total);
         }
         let mut lengths = Self { at, sum, ends: vec![0.0] };
-        let corners: Vec<f64> =
-            tube.mitres(from, to).iter().flat_map(Mitre::places).map(|s| lengths.up_to(s)).collect();
+        let corners: Vec<f64> = tube.stops(from, to).into_iter().map(|s| lengths.up_to(s)).collect();
         lengths.ends.extend(corners);
         lengths.ends.push(total);
         lengths
@@ -105,7 +104,7 @@ pub(super) fn stations(tube: &Tube, places: &[f64], side: Option<DVec3>) -> Vec<
     let mut found: Vec<Station> = Vec::with_capacity(places.len());
     let mut last: Option<(DVec3, DVec3, DVec3)> = None;
     for &s in places {
-        let (centre, radius) = tube.at(s);
+        let (centre, radius) = tube.section(s);
         let tangent = tube.tangent(s);
         let first = match last {
             None => {
@@ -136,11 +135,15 @@ fn mitred(tube: &Tube, places: &[f64], mitres: &[Mitre], side: Option<DVec3>) ->
     let any = side.unwrap_or_else(|| direction.any_orthonormal_vector());
     let mut first = (any - direction * any.dot(direction)).normalize_or(direction.any_orthonormal_vector());
     let section = |s: f64, sides: [DVec3; 2]| {
-        let (centre, radius) = tube.at(s);
+        let (centre, radius) = tube.section(s);
         (s, Station { centre, radius: 1.0, sides: sides.map(|side| side * radius) })
     };
     let mut keys = vec![section(from, [first, direction.cross(first)])];
+    let mut kinks = tube.kinks(from, to).into_iter().peekable();
     for mitre in mitres {
+        while let Some(kink) = kinks.next_if(|kink| *kink < mitre.at) {
+            keys.push(section(kink, [first, direction.cross(first)]));
+        }
         let [before, after] = mitre.directions;
         let plane = before + after;
         // Along the tube onto the plane.
@@ -167,7 +170,7 @@ fn mitred(tube: &Tube, places: &[f64], mitres: &[Mitre], side: Option<DVec3>) ->
             keys.push(section(mitre.at + mitre.slant(), [first, after.cross(first)].map(tilted)));
         }
     }
-    keys.push(section(to, [first, direction.cross(first)]));
+    keys.extend(kinks.chain([to]).map(|s| section(s, [first, direction.cross(first)])));
     let at = |&s: &f64| {
         let k = keys.partition_point(|(key, _)| *key <= s).clamp(1, keys.len() - 1);
         let ((a, low), (b, high)) = (&keys[k - 1], &keys[k]);

@@ -1,5 +1,6 @@
 //! Tubes: the parts of branches between two nodes.
 
+use super::profile::Profile;
 use crate::curve::{ArcLength, Curve};
 use crate::{RoundCone, SOMA, Skeleton, Soma};
 use glam::DVec3;
@@ -14,6 +15,9 @@ pub(super) struct Tube {
     /// The samples at its ends.
     pub(super) nodes: [usize; 2],
     axis: Axis,
+    profile: Profile,
+    /// The lengths at which its radius changes fast.
+    kinks: Vec<f64>,
     /// Round cones along it, and the lengths at which they begin; one more length than cones.
     pub(super) cones: Vec<RoundCone>,
     pub(super) starts: Vec<f64>,
@@ -23,7 +27,7 @@ pub(super) struct Tube {
 
 /// The axis of a tube.
 enum Axis {
-    /// A spline whose control points are the samples.
+    /// A spline whose control points are the samples, with the lengths of the polyline up to them in the place of radii.
     Smooth { curve: Curve, lengths: ArcLength },
     /// The polyline through the samples, and the lengths up to each of them.
     Straight { points: Vec<(DVec3, f64)>, lengths: Vec<f64> },
@@ -104,19 +108,27 @@ impl Mitre {
 }
 
 impl Tube {
-    fn smooth(samples: Vec<usize>, points: Vec<(DVec3, f64)>, moved: f64) -> Self {
-        let curve = Curve::new(points);
+    fn smooth(samples: Vec<usize>, points: &[(DVec3, f64)], factor: f64, moved: f64) -> Self {
+        let along = lengths_along(points);
+        let curve = Curve::new(points.iter().zip(&along).map(|((p, _), l)| (*p, *l)));
+        let profile = Profile::new(along.into_iter().zip(points.iter().map(|(_, r)| *r)).collect(), factor);
         let lengths = curve.arc_length(PER_SPAN);
         let total = lengths.total();
         let axis = Axis::Smooth { curve, lengths };
         let nodes = ends(&samples);
-        let mut tube = Self { samples, nodes, axis, cones: Vec::new(), starts: vec![0.0], moved };
+        let (kinks, cones, starts) = (Vec::new(), Vec::new(), vec![0.0]);
+        let mut tube = Self { samples, nodes, axis, profile, kinks, cones, starts, moved };
+        tube.kinks = tube.profile.kinks().into_iter().map(|l| tube.place(l)).collect();
+        let corners: Vec<f64> = tube.profile.corners().into_iter().map(|l| tube.place(l)).collect();
+        let mut corners = corners.into_iter().peekable();
         let mut s = 0.0;
         let mut last = tube.at(0.0);
         while s < total {
             // Half a radius, but at least a fraction of the whole.
             let step = (0.5 * last.1).max(total / MOST_CONES);
-            s = if s + 1.5 * step >= total { total } else { s + step };
+            while corners.next_if(|corner| *corner <= s).is_some() {}
+            let end = corners.peek().copied().unwrap_or(total).min(total);
+            s = if s + 1.5 * step >= end { end } else { s + step };
             let next = tube.at(s);
             tube.cones.push(RoundCone { ends: [last.0, next.0], radii: [last.1, next.1] });
             tube.starts.push(s);
@@ -125,16 +137,20 @@ impl Tube {
         tube
     }
 
-    fn straight(samples: Vec<usize>, points: Vec<(DVec3, f64)>) -> Self {
-        let mut lengths = vec![0.0];
-        let mut cones = Vec::with_capacity(points.len());
-        for pair in points.windows(2) {
-            lengths.push(lengths[lengths.len() - 1] + pair[0].0.distance(pair[1].0));
-            cones.push(RoundCone { ends: [pair[0].0, pair[1].0], radii: [pair[0].1, pair[1].1] });
-        }
+    fn straight(samples: Vec<usize>, points: Vec<(DVec3, f64)>, factor: f64) -> Self {
+        let lengths = lengths_along(&points);
+        let cone = |pair: &[(DVec3, f64)]| {
+            let [a, b] = [pair[0], pair[1]];
+            RoundCone { ends: [a.0, b.0], radii: [a.1, b.1] }
+        };
+        let cones = points.windows(2).map(cone).collect();
         let starts = lengths.clone();
         let nodes = ends(&samples);
-        Self { samples, nodes, axis: Axis::Straight { points, lengths }, cones, starts, moved: 0.0 }
+        let profile = lengths.iter().copied().zip(points.iter().map(|(_, r)| *r)).collect();
+        let profile = Profile::new(profile, factor);
+        let axis = Axis::Straight { points, lengths };
+        let kinks = profile.kinks();
+        Self { samples, nodes, axis, profile, kinks, cones, starts, moved: 0.0 }
     }
 
     pub(super) fn length(&self) -> f64 {
@@ -144,10 +160,13 @@ impl Tube {
         }
     }
 
-    /// Position and radius at a length along the tube.
+    /// Position and radius of the ball at a length along the tube.
     pub(super) fn at(&self, s: f64) -> (DVec3, f64) {
         match &self.axis {
-            Axis::Smooth { curve, lengths } => curve.at(lengths.parameter(s)),
+            Axis::Smooth { curve, lengths } => {
+                let (p, l) = curve.at(lengths.parameter(s));
+                (p, self.profile.ball(l))
+            }
             Axis::Straight { points, lengths } => {
                 let k = segment(lengths, s);
                 let t = ((s - lengths[k]) / (lengths[k + 1] - lengths[k])).clamp(0.0, 1.0);
@@ -155,6 +174,52 @@ impl Tube {
                 (a.0.lerp(b.0, t), a.1 + (b.1 - a.1) * t)
             }
         }
+    }
+
+    /// The length of the polyline through the samples up to a length along the tube.
+    fn along(&self, s: f64) -> f64 {
+        match &self.axis {
+            Axis::Smooth { curve, lengths } => curve.at(lengths.parameter(s)).1,
+            Axis::Straight { .. } => s,
+        }
+    }
+
+    /// Position and radius of the section at a length along the tube, which lies on the surface of all its balls.
+    pub(super) fn section(&self, s: f64) -> (DVec3, f64) {
+        (self.at(s).0, self.profile.section(self.along(s)))
+    }
+
+    /// The length along a smooth tube at which the polyline has a length.
+    fn place(&self, l: f64) -> f64 {
+        let (mut low, mut high) = (0.0, self.length());
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if self.along(middle) < l { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
+
+    /// The lengths between two others at which there must be sections: those at corners, and where the radius changes fast.
+    pub(super) fn stops(&self, from: f64, to: f64) -> Vec<f64> {
+        let mut found: Vec<f64> = self.mitres(from, to).iter().flat_map(Mitre::places).collect();
+        found.extend(self.kinks(from, to));
+        found.sort_by(f64::total_cmp);
+        found
+    }
+
+    /// The lengths between two others at which the radius changes so fast that there must be sections, and where these have room.
+    pub(super) fn kinks(&self, from: f64, to: f64) -> Vec<f64> {
+        let mut taken = vec![(from, 0.0), (to, 0.0)];
+        taken.extend(self.mitres(from, to).iter().map(|mitre| (mitre.at, mitre.reach())));
+        let mut found = Vec::new();
+        for &kink in self.kinks.iter().filter(|kink| (from..to).contains(*kink)) {
+            let room = KINK_ROOM * self.at(kink).1;
+            if taken.iter().all(|(at, reach)| (kink - at).abs() >= reach + room) {
+                found.push(kink);
+                taken.push((kink, 0.0));
+            }
+        }
+        found
     }
 
     /// Direction along the tube.
@@ -192,6 +257,16 @@ impl Tube {
 
     /// The least length from a node, at least `s`, at which a section has room beside the sections at corners: past those that are too near.
     fn beside_corners(&self, mut s: f64, first: bool) -> f64 {
+        let mut kinks = self.kinks.clone();
+        if !first {
+            kinks.reverse();
+        }
+        for kink in kinks {
+            let at = if first { kink } else { self.length() - kink };
+            if at > s && at - s < KINK_ROOM * self.at(kink).1 {
+                s = at;
+            }
+        }
         let mut mitres = self.mitres(0.0, self.length());
         if !first {
             mitres.reverse();
@@ -223,6 +298,21 @@ impl Tube {
 fn segment(lengths: &[f64], s: f64) -> usize {
     lengths.partition_point(|&l| l <= s).clamp(1, lengths.len() - 1) - 1
 }
+
+/// The lengths of the polyline up to each point.
+fn lengths_along(points: &[(DVec3, f64)]) -> Vec<f64> {
+    let mut lengths = vec![0.0];
+    for pair in points.windows(2) {
+        lengths.push(lengths[lengths.len() - 1] + pair[0].0.distance(pair[1].0));
+    }
+    lengths
+}
+
+/// Halvings of the part of a tube that contains a length of the polyline.
+const HALVINGS: usize = 50;
+
+/// Smallest distance of a section where the radius changes fast from another one, in radii.
+const KINK_ROOM: f64 = 0.25;
 
 /// Largest share of a segment that the sections at its ends may take.
 const ROOM: f64 = 0.9;
@@ -261,21 +351,47 @@ fn farthest(points: &[(DVec3, f64)], path: &[(DVec3, f64)]) -> f64 {
 
 /// The tube through samples: smooth if the spline is within the tolerance of them, otherwise the polyline with a mitre at each sample. If the
 /// mitres have no room or `is_moved` asks for it, the samples are moved until the spline can be meshed.
-fn tube(samples: Vec<usize>, through: Vec<(DVec3, f64)>, is_moved: bool) -> Tube {
-    let mut points = through.clone();
+fn tube(samples: Vec<usize>, through: &[(DVec3, f64)], factor: f64, is_moved: bool) -> Tube {
+    let mut points = through.to_vec();
     relax(&mut points);
-    let moved = deviation(&points, &through);
+    let moved = deviation(&points, through);
     if moved <= WITHIN {
-        return Tube::smooth(samples, points, 0.0);
+        return Tube::smooth(samples, &points, factor, 0.0);
     }
-    let straight = Tube::straight(samples, through);
+    let straight = Tube::straight(samples, thinned(through), factor);
     let length = straight.length();
     let least = libm::cos(MOST_MITRE.to_radians());
     let is_slanted = |mitre: &Mitre| mitre.directions[0].dot(mitre.directions[1]) < least;
     if !is_moved && straight.has_room(0.0, length) && !straight.mitres(0.0, length).iter().any(is_slanted) {
         return straight;
     }
-    Tube::smooth(straight.samples, points, moved)
+    Tube::smooth(straight.samples, &points, factor, moved)
+}
+
+/// Largest distance of a sample from the segment past it, and of its radius from that there, over its radius.
+const ON_SEGMENT: f64 = 0.02;
+
+/// The samples at which a polyline turns or its radius changes: sections at the others would only take room from these.
+fn thinned(points: &[(DVec3, f64)]) -> Vec<(DVec3, f64)> {
+    let mut kept = vec![false; points.len()];
+    (kept[0], kept[points.len() - 1]) = (true, true);
+    let mut parts = vec![(0, points.len() - 1)];
+    while let Some((from, to)) = parts.pop() {
+        let [a, b] = [points[from], points[to]];
+        let way = b.0 - a.0;
+        let off = |k: usize| {
+            let (p, radius) = points[k];
+            let square = way.length_squared();
+            let share = if square > 0.0 { ((p - a.0).dot(way) / square).clamp(0.0, 1.0) } else { 0.0 };
+            (p.distance(a.0 + way * share)).max((radius - a.1 - (b.1 - a.1) * share).abs()) / radius
+        };
+        let farthest = (from + 1..to).map(|k| (off(k), k)).max_by(|x, y| x.0.total_cmp(&y.0));
+        if let Some((_, k)) = farthest.filter(|(most, _)| *most > ON_SEGMENT) {
+            kept[k] = true;
+            parts.extend([(from, k), (k, to)]);
+        }
+    }
+    points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
 /// The first sample and the last.
@@ -298,6 +414,12 @@ impl End {
     pub(super) fn at(self, tubes: &[Tube], s: f64) -> (DVec3, f64) {
         let tube = &tubes[self.tube];
         tube.at(if self.first { s } else { tube.length() - s })
+    }
+
+    /// Position and radius of a section.
+    pub(super) fn section(self, tubes: &[Tube], s: f64) -> (DVec3, f64) {
+        let tube = &tubes[self.tube];
+        tube.section(if self.first { s } else { tube.length() - s })
     }
 
     pub(super) fn tangent(self, tubes: &[Tube], s: f64) -> DVec3 {
@@ -372,7 +494,7 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<
             if points.len() < 2 {
                 points.push(points[0]);
             }
-            tube(path, points, is_moved.get(index).is_some_and(|is| *is))
+            tube(path, &points, factor, is_moved.get(index).is_some_and(|is| *is))
         })
         .collect()
 }

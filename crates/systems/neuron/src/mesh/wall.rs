@@ -27,7 +27,7 @@ impl Wall {
         Self { groups: groups.into_iter().map(measured).collect(), blend }
     }
 
-    /// The wall whose cones have radii divided by a factor, except for those of the last `balls` groups.
+    /// The wall whose cones have radii divided by a factor, except for those of the last `balls` groups, with sharper creases.
     pub(super) fn divided(&self, factor: f64, balls: usize) -> Self {
         let count = self.groups.len() - balls;
         let divided = |(index, group): (usize, &Vec<MeasuredCone>)| {
@@ -36,7 +36,7 @@ impl Wall {
                 |cone: &MeasuredCone| RoundCone { radii: cone.shape.radii.map(|r| r / factor), ..cone.shape };
             group.iter().map(cone).collect()
         };
-        Self::new(self.groups.iter().enumerate().map(divided).collect(), self.blend)
+        Self::new(self.groups.iter().enumerate().map(divided).collect(), SHARPER * self.blend)
     }
 
     /// `−k log Σ exp(−f / k)` over the groups, `f` the distance from the nearest cone of each, and its gradient.
@@ -148,6 +148,40 @@ impl Wall {
         best.1
     }
 
+    /// The least radius of the cones near a point, which is that of a thin tube where it leaves a thick one.
+    pub(super) fn least_radius(&self, p: DVec3) -> f64 {
+        let mut least = self.radius(p);
+        for cone in self.groups.iter().flatten() {
+            let (distance, t) = cone.distance(p);
+            let [from, to] = cone.shape.radii;
+            let radius = from + (to - from) * t;
+            if distance <= CLOSE * radius {
+                least = least.min(radius);
+            }
+        }
+        least
+    }
+
+    /// The length of a move that leaves all cones: out of those that the point is in, the deepest first.
+    pub(super) fn way_out(&self, p: DVec3) -> f64 {
+        let mut shift = DVec3::ZERO;
+        for _ in 0..MOST_MOVES {
+            let mut deepest = (-LEFT * self.blend, DVec3::ZERO);
+            for cone in self.groups.iter().flatten() {
+                let (distance, t) = cone.distance(p + shift);
+                if distance < deepest.0 {
+                    let centre = cone.shape.ends[0].lerp(cone.shape.ends[1], t);
+                    deepest = (distance, (p + shift - centre).normalize_or_zero());
+                }
+            }
+            if deepest.1 == DVec3::ZERO {
+                break;
+            }
+            shift -= deepest.1 * deepest.0;
+        }
+        shift.length()
+    }
+
     /// Where a ray from inside intersects the wall.
     pub(super) fn leave(&self, from: DVec3, direction: DVec3, scale: f64) -> DVec3 {
         let inside = |t: f64| self.distance(from + direction * t).0 < 0.0;
@@ -214,6 +248,14 @@ impl NearWalls {
     }
 }
 
+/// Width of the blend of the wall that is followed, over that of the wall in the beginning.
+const SHARPER: f64 = 0.4;
+/// Moves out of cones.
+const MOST_MOVES: usize = 24;
+/// Depth in a cone up to which a point has left it, in widths of the blend.
+const LEFT: f64 = 0.02;
+/// Distance from a cone up to which a point is near it, in radii.
+const CLOSE: f64 = 0.5;
 /// How far a point moves before the part of the wall near it is taken anew, in radii.
 const REACH: f64 = 0.1;
 /// Number of groups whose distances need no memory of their own.

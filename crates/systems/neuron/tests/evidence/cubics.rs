@@ -35,9 +35,9 @@ fn straight_tubes_have_the_volume_and_the_wall_of_the_cylinder() {
     let wall = found.report.wall.unwrap();
     assert!(wall.wall_to_cones.upper_radii < 0.03 && wall.cones_to_wall.upper_radii < 0.04, "{wall:?}");
     assert!(found.report.min_scaled_jacobian > 0.8);
-    // A frustum: its sections are similar, and cubics along it represent it exactly.
+    // A frustum: its sections are similar. The surface that touches the balls is wider than they are.
     let cone = cubic("1 2 0 0 0 1 -1\n2 2 30 0 0 2 1\n", &quick());
-    assert!((cone.mesh.volume() / (PI * 30.0 * 7.0 / 3.0) - 1.0).abs() < 1e-12);
+    assert!((cone.mesh.volume() / (PI * 30.0 * 7.0 / 3.0 * (900.0 / 899.0)) - 1.0).abs() < 1e-4);
 }
 
 #[test]

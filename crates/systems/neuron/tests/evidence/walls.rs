@@ -253,6 +253,7 @@ fn distances_in_the_crotches_of_forks_are_enclosed() {
     let found = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap();
     let wall = found.report.wall.as_ref().unwrap();
     narrow(wall);
+    assert!(wall.in_radii()[1] < 0.15, "{wall:?}");
     let mut random = Random(5);
     let all = surface(&cones(&skeleton(&text)), &skeleton(&text), &mut random, 20_000);
     let mut most = 0.0_f64;
@@ -387,5 +388,70 @@ fn walls_follow_the_creases_of_nodes() {
         assert!(found.certified && found.min_scaled_jacobian > 0.25, "{case}: {found:?}");
         let [lower, upper] = found.wall.unwrap().in_radii();
         assert!(lower < 0.2 && upper < 0.21, "{case}: {lower} {upper}\n{text}");
+    }
+}
+
+/// A straight trunk of radius 1 and a branch of another radius that leaves it at an angle in degrees, with samples at a distance.
+fn oblique(radius: f64, angle: f64, spacing: f64) -> String {
+    let mut text = String::new();
+    for k in 0..=10 {
+        let parent = if k == 0 { -1 } else { k };
+        let _ = writeln!(text, "{} 3 {} 0 0 1 {parent}", k + 1, 2 * k - 10);
+    }
+    let (sine, cosine) = libm::sincos(angle.to_radians());
+    let count = ((4.0 + 12.0 * radius) / spacing).round().max(3.0) as usize;
+    for k in 1..=count {
+        let (s, parent) = (spacing * k as f64, if k == 1 { 6 } else { 10 + k });
+        let _ = writeln!(text, "{} 3 {} {} 0 {radius} {parent}", 11 + k, cosine * s, sine * s);
+    }
+    text
+}
+
+#[test]
+fn thin_branches_of_thick_trunks_are_followed() {
+    for (radius, angle) in [(0.2, 90.0), (0.2, 60.0), (0.1, 120.0), (0.33, 45.0), (0.5, 75.0)] {
+        // Samples within the trunk, just outside of it, and far from it.
+        for spacing in [0.5, 1.3, 4.0] {
+            let text = oblique(radius, angle, spacing);
+            let found = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+            let wall = found.wall.unwrap();
+            assert!(
+                found.certified && wall.is_within() == Some(true),
+                "{radius} {angle} {spacing}: {wall:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn tapered_tubes_are_followed() {
+    // Sections with the radii of balls would be within the surface of the cone. The second tube has corners.
+    for bend in [0.0, 0.1] {
+        let text = format!(
+            "1 2 0 0 0 1 -1\n2 2 2 0 0 1 1\n3 2 3.2 0 0 0.3 2\n4 2 5 {bend} 0 0.3 3\n5 2 8 0 0 0.3 4\n"
+        );
+        let linear = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+        let cubic = cubic_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+        for report in [linear, cubic] {
+            let wall = report.wall.unwrap();
+            assert!(report.certified && wall.is_within() == Some(true), "{bend}: {wall:?}");
+        }
+    }
+}
+
+#[test]
+fn a_turn_among_dense_samples_is_followed() {
+    let (sine, cosine) = libm::sincos(100.0_f64.to_radians());
+    for spacing in [1.0, 2.0] {
+        let mut text = String::from("1 2 -8 0 0 1 -1\n");
+        for k in 1..=(16.0 / spacing) as usize {
+            let s = spacing * k as f64 - 8.0;
+            let (x, y) = if s < 0.0 { (s, 0.0) } else { (cosine * s, sine * s) };
+            let _ = writeln!(text, "{} 2 {x} {y} 0 1 {k}", k + 1);
+        }
+        let found = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+        let wall = found.wall.unwrap();
+        assert!(found.certified && found.moved.is_empty(), "{spacing}: {:?}", found.moved);
+        assert!(wall.is_within() == Some(true), "{spacing}: {wall:?}");
     }
 }

@@ -139,10 +139,12 @@ impl<P> Enclosure<P> {
     }
 
     /// The open patch that may be farthest away.
-    fn farthest(&self, bounds: &[Option<Bounds>]) -> Option<usize> {
-        let upper = |i: usize| bounds[i].filter(|bounds| self.is_open(bounds)).map(|bounds| bounds.upper[1]);
-        let open = (0..bounds.len()).filter_map(|i| Some((i, upper(i)?)));
-        open.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    fn farthest<'a>(&self, active: &'a [(P, Option<Bounds>)]) -> Option<&'a P> {
+        let upper = |bounds: &Option<Bounds>| {
+            bounds.as_ref().filter(|bounds| self.is_open(bounds)).map(|bounds| bounds.upper[1])
+        };
+        let open = active.iter().filter_map(|(patch, bounds)| Some((patch, upper(bounds)?)));
+        open.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(patch, _)| patch)
     }
 
     /// Takes a patch that is not divided.
@@ -171,19 +173,24 @@ impl<P> Enclosure<P> {
         if self.goal.is_decided || self.lower[1] > self.goal.within { LEVELS_BEYOND } else { MOST_LEVELS }
     }
 
+    /// Whether a patch has to be divided to decide whether distances are tolerated.
+    fn decides(&self, bounds: &Bounds) -> bool {
+        let Goal { within, is_decided, .. } = self.goal;
+        !is_decided && self.lower[1] <= within && bounds.upper[1] > within
+    }
+
     /// Whether a patch has to be divided to narrow the enclosure, or to decide whether distances are tolerated.
     fn is_open(&self, bounds: &Bounds) -> bool {
-        let Goal { within, is_decided, wanted } = self.goal;
+        let Goal { within, wanted, .. } = self.goal;
         let width = if self.lower[1] > within { (RELATIVE_WIDTH * self.lower[1]).max(WIDTH) } else { WIDTH };
         // The width in micrometres is that of the radius of this patch.
         let radius = bounds.upper[0] / bounds.upper[1];
-        let decides = !is_decided && self.lower[1] <= within && bounds.upper[1] > within;
         match wanted {
             Wanted::Whether => return bounds.upper[1] > within,
             Wanted::Where if bounds.upper[1] <= within => return false,
             Wanted::Where | Wanted::Enclosed => (),
         }
-        decides
+        self.decides(bounds)
             || bounds.upper[1] > self.lower[1] + width
             || bounds.upper[0] > self.lower[0] + width * radius.max(0.0)
     }
@@ -191,6 +198,8 @@ impl<P> Enclosure<P> {
 
 /// Encloses the greatest distance of the points of patches. `evaluate` bounds those of one patch; `None` if it is not part of the
 /// surface. `witness` finds a better lower bound for one patch, if there is any, with more work. After too many patches the enclosure is as wide as it is then; when the computation is stopped, it is unbounded.
+///
+/// What decides whether distances are tolerated is divided first: it takes less work than a narrow enclosure of many patches.
 ///
 /// The result does not depend on the number of threads.
 pub(super) fn enclose<P: Patch>(
@@ -210,40 +219,98 @@ pub(super) fn enclose<P: Patch>(
         bounds.iter().flatten().for_each(|bounds| found.add(bounds));
         first.push(bounds);
     }
-    let mut left = LEAST_BUDGET.saturating_add(patches.len().saturating_mul(MOST_PER_PATCH));
-    // Parts of a batch are divided before the next one is begun: few are kept at a time.
-    let mut stack: Vec<(usize, Vec<P>)> = Vec::new();
+    let left = LEAST_BUDGET.saturating_add(patches.len().saturating_mul(MOST_PER_PATCH));
+    let mut search = Search { found, left, later: Vec::new(), evaluate, witness, control };
+    let mut goes_on = true;
     for (batch, bounds) in patches.chunks(BATCH).zip(first) {
-        stack.push((0, batch.to_vec()));
-        let mut known = Some(bounds);
-        while let Some((level, active)) = stack.pop() {
-            if control.is_stopped() {
-                return Enclosure { upper: [f64::INFINITY; 2], ..found };
+        let known = batch.iter().copied().zip(bounds).collect();
+        goes_on = goes_on && search.divide(0, known, true);
+    }
+    let mut later = std::mem::take(&mut search.later);
+    later.sort_by_key(|(level, ..)| *level);
+    for run in later.chunk_by(|a, b| a.0 == b.0).flat_map(|run| run.chunks(BATCH)) {
+        let known = run.iter().map(|(_, patch, bounds)| (*patch, Some(*bounds))).collect();
+        goes_on = goes_on && search.divide(run[0].0, known, false);
+    }
+    if goes_on { search.found } else { Enclosure { upper: [f64::INFINITY; 2], ..search.found } }
+}
+
+/// The division of patches.
+struct Search<'s, P, E, W> {
+    found: Enclosure<P>,
+    /// Patches that may still be evaluated.
+    left: usize,
+    /// Patches that decide nothing, with how often they are divided already.
+    later: Vec<(usize, P, Bounds)>,
+    evaluate: E,
+    witness: W,
+    control: &'s Control,
+}
+
+impl<P: Patch, E: Fn(&P) -> Option<Bounds> + Sync, W: Fn(&P) -> Option<Bounds>> Search<'_, P, E, W> {
+    /// Divides patches whose bounds are known, or only those that decide; returns whether the computation goes on.
+    fn divide(&mut self, level: usize, known: Vec<(P, Option<Bounds>)>, only_what_decides: bool) -> bool {
+        // Parts of a batch are divided before the next one is begun: few are kept at a time.
+        let mut stack: Vec<(usize, Vec<P>)> = Vec::new();
+        let mut next = Some((level, known));
+        while let Some((level, active)) = next {
+            if self.control.is_stopped() {
+                return false;
             }
-            let bounds = known.take().unwrap_or_else(|| active.par_iter().map(&evaluate).collect());
-            left = left.saturating_sub(active.len());
-            bounds.iter().flatten().for_each(|bounds| found.add(bounds));
+            self.left = self.left.saturating_sub(active.len());
+            active.iter().filter_map(|(_, bounds)| bounds.as_ref()).for_each(|bounds| self.found.add(bounds));
             if level >= LEVEL_OF_WITNESSES
-                && let Some(farthest) = found.farthest(&bounds)
-                && let Some(known) = witness(&active[farthest])
+                && let Some(farthest) = self.found.farthest(&active)
+                && let Some(known) = (self.witness)(farthest)
             {
-                found.add(&known);
+                self.found.add(&known);
             }
             let mut divided: Vec<P> = Vec::new();
-            for (patch, bounds) in active.iter().zip(&bounds) {
+            for (patch, bounds) in active {
                 let Some(bounds) = bounds else { continue };
-                if left > 0 && level < found.most_levels() && found.is_open(bounds) {
-                    if bounds.is_settled {
-                        found.settle(*patch, bounds);
-                    } else {
-                        divided.extend(patch.divided());
-                    }
+                let found = &mut self.found;
+                if self.left == 0 || level >= found.most_levels() || !found.is_open(&bounds) {
+                    found.close(&bounds);
+                } else if bounds.is_settled {
+                    found.settle(patch, &bounds);
+                } else if only_what_decides && !found.decides(&bounds) {
+                    self.later.push((level, patch, bounds));
                 } else {
-                    found.close(bounds);
+                    divided.extend(patch.divided());
                 }
             }
             stack.extend(divided.chunks(BATCH).rev().map(|chunk| (level + 1, chunk.to_vec())));
+            next = stack.pop().map(|(level, patches)| {
+                let known = patches.par_iter().map(|patch| (*patch, (self.evaluate)(patch))).collect();
+                (level, known)
+            });
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A part of this size, whose bounds are as wide.
+    #[derive(Clone, Copy)]
+    struct Part(f64);
+
+    impl Patch for Part {
+        fn divided(&self) -> [Self; 4] {
+            [Self(0.5 * self.0); 4]
         }
     }
-    found
+
+    #[test]
+    fn what_decides_is_not_left_for_narrow_bounds() {
+        // To narrow the bounds of all parts takes ten times as many as there may be.
+        let patches = vec![Part(1.0); 3000];
+        let goal = Goal { within: 0.2, ..Goal::default() };
+        let bounds =
+            |part: &Part| Some(Bounds { upper: [part.0; 2], lower: [0.0; 2], sample: 0, is_settled: false });
+        let found = enclose(&patches, goal, &Control::default(), (bounds, |_: &Part| None));
+        assert_eq!((found.lower[1], found.uppers()[1]), (0.0, 0.125));
+    }
 }

@@ -15,6 +15,9 @@ use glam::DVec3;
 /// 4 M. Together less than 300 u M, which is more than doubled.
 const ROUNDING: f64 = 640.0 * 1.110_223_024_625_156_5e-16;
 
+/// Excess of the slope of the radius over 1 up to which both balls of a cone may be as near as each other, up to rounding.
+const TANGENT: f64 = 1e-6;
+
 /// A cone of the skeleton.
 pub(super) struct Cone {
     pub(super) shape: RoundCone,
@@ -52,7 +55,11 @@ impl Cone {
     ///
     /// The nearest ball moves along the axis by at most `1 / √(1 − k²)` times what the point moves, `k` the slope.
     fn least_radius(&self, t: f64, reach: f64) -> f64 {
-        let least = self.shape.radii[0].min(self.shape.radii[1]);
+        let [least, most] = [f64::min, f64::max].map(|of| of(self.shape.radii[0], self.shape.radii[1]));
+        // The greater ball contains the others, and is nearer than they are.
+        if self.slope.abs() > 1.0 + TANGENT {
+            return most;
+        }
         if self.slope.is_nan() || self.slope.abs() >= 1.0 {
             return least;
         }
@@ -235,3 +242,20 @@ const MOST_MOVES: u32 = 48;
 
 /// By how much more a move is projected with each step, so that it ends after finitely many between slanted half-spaces.
 const EXCESS: f64 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ball_within_another_one_is_never_the_nearest() {
+        let cone =
+            |x: f64| Cone::new(RoundCone { ends: [DVec3::ZERO, DVec3::X * x], radii: [1.0, 0.1] }, [0, 1]);
+        let p = DVec3::new(1.1, 0.2, 0.0);
+        let contained = cone(0.5);
+        assert_eq!(contained.least_radius(contained.distance(p).1, 0.3), 1.0);
+        // Beside a lateral surface, the nearest balls are smaller.
+        let tapered = cone(1.5);
+        assert!(tapered.least_radius(tapered.distance(p).1, 0.1) < 0.5);
+    }
+}
