@@ -41,6 +41,7 @@ pub struct Winding {
     triangles: Vec<Triangles>,
     /// Groups of [`GROUP`] triangles, then groups of [`GROUP`] groups, and so on up to one group.
     levels: Vec<Vec<Group>>,
+    is_sheet: bool,
 }
 
 /// A winding number as computed.
@@ -50,29 +51,39 @@ pub struct WindingNumber {
     pub value: f64,
     /// Bound on the error but for rounding, which is about 1e-15 for each triangle that is summed individually.
     pub error: f64,
+    /// Whether it is that of a sheet, see [`Winding::is_sheet`].
+    pub of_sheet: bool,
 }
 
 impl WindingNumber {
-    /// Whether the surface winds around the point more than half a time, in either direction.
+    /// Whether the surface winds around the point more than half a time, in either direction; of a sheet, whether the point is behind it: whether
+    /// the number is positive.
     ///
     /// For a closed surface this is the inside, whether its faces point outwards or inwards. The error is below the distance of the
-    /// value from one half, unless all triangles were summed individually.
+    /// value from the one that decides, unless all triangles were summed individually.
     pub fn is_inside(&self) -> bool {
-        self.value.abs() > 0.5
+        if self.of_sheet { self.value > 0.0 } else { self.value.abs() > 0.5 }
     }
 
-    fn is_decided(&self) -> bool {
-        (self.value.abs() - 0.5).abs() > self.error
+    /// How far the value is from those that decide whether a point is inside.
+    pub fn margin(&self) -> f64 {
+        let size = self.value.abs();
+        if self.of_sheet { size } else { (size - 0.5).abs() }
     }
 }
 
 /// Triangles in a group of the lowest level, and groups in one of the level above.
 const GROUP: usize = 8;
-/// Largest error of one group, tried in this order until it is certain on which side of one half the number lies. No group meets
-/// the last, so every triangle is then summed individually.
+/// Largest error of one group, tried in this order until it is certain whether the point is inside. No group meets the last, so every triangle is
+/// then summed individually.
 const ERRORS: [f64; 3] = [1e-2, 2e-4, -1.0];
 /// Points of a task.
 const TASK: usize = 256;
+/// Faces at which is tried whether a surface encloses something, at most; how far from them, as a part of the root of their area; and the mean
+/// of the numbers there up to which it is a sheet. At faces of a closed surface they are one half, at those of a plane zero.
+const TRIALS: usize = 64;
+const BESIDE: f64 = 1e-3;
+const MOST_OF_SHEET: f64 = 0.25;
 
 impl Winding {
     /// Prepares a mesh.
@@ -91,30 +102,70 @@ impl Winding {
             }
             size *= GROUP;
         }
-        Self { frame, triangles: all, levels }
+        let mut winding = Self { frame, triangles: all, levels, is_sheet: false };
+        winding.is_sheet = winding.number_at_faces(&triangles) < MOST_OF_SHEET;
+        winding
     }
 
-    /// The number at a point, in the unit of the mesh; computed accurately enough to decide on which side of one half it lies,
-    /// where that is possible.
+    /// Whether the surface is a sheet, which encloses nothing: a plate, a relief, a scan from one side. Beside it the number is near to a half on
+    /// both sides, positive behind its faces and negative in front of them.
+    ///
+    /// # Definition
+    /// On a face the number is taken as the mean of those on both sides, one half for a closed surface. A sheet is a surface whose mean of the
+    /// sizes of these numbers, by area, is less than a quarter. It is computed at up to 64 faces.
+    /// # Limits
+    /// Between a plate and a closed surface the choice is a convention: that of a box without a lid depends on how deep it is. Beside most faces
+    /// of either both rules say the same.
+    pub fn is_sheet(&self) -> bool {
+        self.is_sheet
+    }
+
+    /// The mean over some faces, by area, of the size of the mean of the numbers on both sides; a half where none has an area.
+    fn number_at_faces(&self, faces: &[[DVec3; 3]]) -> f64 {
+        let (mut sum, mut total) = (0.0, 0.0);
+        let mut stack = Vec::new();
+        for [a, b, c] in faces.iter().step_by(faces.len().div_ceil(TRIALS).max(1)) {
+            let normal = (*b - *a).cross(*c - *a);
+            let area = 0.5 * normal.length();
+            if area > f64::MIN_POSITIVE {
+                let beside = BESIDE * area.sqrt() * (normal / (2.0 * area));
+                let centre = (*a + *b + *c) * (1.0 / 3.0);
+                let sides = [centre - beside, centre + beside];
+                let [behind, before] = sides.map(|q| self.sum(q, ERRORS[0], &mut stack).value);
+                sum += area * (0.5 * (behind + before)).abs();
+                total += area;
+            }
+        }
+        if total > 0.0 { sum / total } else { 0.5 }
+    }
+
+    /// The number at a point, in the unit of the mesh; computed accurately enough to decide whether the point is inside, where that is possible.
     pub fn about(&self, point: [f64; 3]) -> WindingNumber {
-        self.about_with(point, &mut Vec::new())
+        self.about_with(point, &mut Vec::new(), 0.0)
+    }
+
+    /// The same where the number is known to vary by some amount beside the point, which is asked for as a whole: no more accurately than
+    /// decides whether all numbers are on one side.
+    pub fn around(&self, point: [f64; 3], variation: f64) -> WindingNumber {
+        self.about_with(point, &mut Vec::new(), variation)
     }
 
     /// The numbers at many points.
     pub fn about_all(&self, points: &[[f64; 3]]) -> Vec<WindingNumber> {
         let of_task = |points: &[[f64; 3]]| {
             let mut stack = Vec::new();
-            points.iter().map(|p| self.about_with(*p, &mut stack)).collect::<Vec<_>>()
+            points.iter().map(|p| self.about_with(*p, &mut stack, 0.0)).collect::<Vec<_>>()
         };
         points.par_chunks(TASK).flat_map_iter(of_task).collect()
     }
 
-    fn about_with(&self, point: [f64; 3], stack: &mut Vec<(u32, u32)>) -> WindingNumber {
+    fn about_with(&self, point: [f64; 3], stack: &mut Vec<(u32, u32)>, variation: f64) -> WindingNumber {
         let q = DVec3::from_array(self.frame.map(point));
-        let mut number = WindingNumber { value: 0.0, error: f64::INFINITY };
+        let mut number = WindingNumber { value: 0.0, error: f64::INFINITY, of_sheet: self.is_sheet };
         for most in ERRORS {
             number = self.sum(q, most, stack);
-            if number.is_decided() {
+            let margin = number.margin();
+            if margin > number.error + variation || margin + number.error < variation {
                 break;
             }
         }
@@ -140,7 +191,7 @@ impl Winding {
                 value += self.triangles[place as usize].solid_angle(q.to_array()) / (4.0 * PI);
             }
         }
-        WindingNumber { value, error }
+        WindingNumber { value, error, of_sheet: self.is_sheet }
     }
 }
 
@@ -376,6 +427,59 @@ mod tests {
         (0..count).map(|_| [0, 1, 2].map(|_| size * random.signed_unit())).collect()
     }
 
+    /// Plates and shallow bowls are sheets, whose sides are told by their faces; boxes without a lid and closed surfaces are not, whichever way
+    /// their faces point.
+    #[test]
+    fn sheets_are_told_from_what_encloses_something() {
+        let part = |mesh: &TriMesh, keeps: &dyn Fn([f64; 3]) -> bool| {
+            let is_kept = |face: &[u32; 3]| face.iter().all(|v| keeps(mesh.positions()[*v as usize]));
+            let faces = mesh.faces().iter().copied().filter(is_kept).collect();
+            TriMesh::new(mesh.positions().to_vec(), faces).unwrap()
+        };
+        let turned = |mesh: &TriMesh| {
+            let faces = mesh.faces().iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+            TriMesh::new(mesh.positions().to_vec(), faces).unwrap()
+        };
+        let ball = icosphere(1.0, 3).unwrap();
+        let bowl = part(&ball, &|p| p[2] < -0.6);
+        let plate =
+            displace_at_random(&grid([1.0, 1.0], [20, 20], Diagonal::Rising).unwrap(), 1e-3, 1).unwrap();
+        for sheet in [&plate, &turned(&plate), &bowl, &turned(&bowl), &disk(1.0, 40, 3).unwrap()] {
+            let winding = Winding::new(sheet);
+            assert!(winding.is_sheet());
+            for face in sheet.face_ids() {
+                let [a, b, c] = sheet.corners(face).map(DVec3::from_array);
+                let (centre, normal) = ((a + b + c) / 3.0, (b - a).cross(c - a).normalize());
+                for height in [1e-3, 1e-2] {
+                    let at = |side: f64| winding.about((centre + side * height * normal).to_array());
+                    assert!(at(-1.0).is_inside() && !at(1.0).is_inside(), "{centre}");
+                }
+            }
+        }
+        let (box_, without_lid) = (cube(2.0, 4).unwrap(), part(&ball, &|p| p[2] < 0.6));
+        for mesh in [&ball, &turned(&ball), &box_, &without_lid, &turned(&without_lid)] {
+            let winding = Winding::new(mesh);
+            assert!(!winding.is_sheet());
+            assert!(
+                winding.about([0.1, 0.0, -0.2]).is_inside() && !winding.about([0.0, 0.0, -1.5]).is_inside()
+            );
+        }
+    }
+
+    /// What is known to vary is computed no more accurately than that decides.
+    #[test]
+    fn numbers_around_a_point_decide_as_those_about_it() {
+        let plate = grid([1.0, 1.0], [20, 20], Diagonal::Rising).unwrap();
+        let winding = Winding::new(&plate);
+        for q in points(200, 0.6) {
+            let (exact, number) = (direct(&plate, q), winding.around(q, 0.1));
+            assert!((number.value - exact).abs() <= number.error + 1e-12);
+            let is_decided = number.margin() > number.error + 0.1;
+            assert_eq!(is_decided, exact.abs() > 0.1, "{exact} {number:?}");
+            assert!(!is_decided || number.is_inside() == (exact > 0.0));
+        }
+    }
+
     #[test]
     fn closed_surfaces_have_whole_numbers() {
         let ring = torus(1.0, 0.4, 48, 24).unwrap();
@@ -430,7 +534,8 @@ mod tests {
             for q in points(300, 1.3) {
                 let (number, exact) = (winding.about(q), direct(&mesh, q));
                 assert!((number.value - exact).abs() <= number.error + 1e-12, "{exact} {number:?}");
-                assert_eq!(number.is_inside(), exact.abs() > 0.5, "{exact} {number:?}");
+                let inside = if winding.is_sheet() { exact > 0.0 } else { exact.abs() > 0.5 };
+                assert_eq!(number.is_inside(), inside, "{exact} {number:?}");
             }
         }
     }

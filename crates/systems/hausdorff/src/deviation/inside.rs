@@ -90,6 +90,11 @@ pub(super) fn neighbours(mesh: &TriMesh) -> Option<Vec<[u32; 2]>> {
 }
 
 impl<'t> Inside<'t> {
+    /// Whether a winding number of a closed surface is that of a point inside.
+    pub(super) fn is_inside(winding: f64) -> bool {
+        winding.abs() > 0.5
+    }
+
     /// Prepares a closed and oriented mesh with its tree and the neighbours of its faces. `None` if the control stops meanwhile.
     pub(super) fn new(
         mesh: &TriMesh,

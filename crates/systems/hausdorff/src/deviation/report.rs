@@ -6,9 +6,7 @@ use super::regions::Region;
 use super::statistics::{Percentile, SignedStatistics, Statistics};
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason};
 use pompeiu_core::TriMesh;
-use pompeiu_core::spatial::Winding;
-#[cfg(feature = "figures")]
-use pompeiu_core::spatial::WindingNumber;
+use pompeiu_core::spatial::{Winding, WindingNumber};
 use std::time::Duration;
 
 /// How far two meshes deviate from each other, both ways.
@@ -85,29 +83,32 @@ pub struct FaceDeviation {
 ///
 /// # Definition
 /// Inside is where the winding number of the other mesh has a magnitude above one half, so that turning all of its faces changes
-/// nothing. Signed distances are negative inside and positive outside.
+/// nothing. A sheet ([`Winding::is_sheet`]) encloses nothing: inside is behind its faces, where the number is positive. Signed distances are
+/// negative inside and positive outside.
 /// # Limits
 /// About a closed mesh winding numbers are whole, and the side is certain but for points so close to a face that rounding of
 /// coordinates decides. Beside holes and in soups they change gradually; then the side is on which side of one half
 /// the number lies, which is decided by a bound on its error ([`WindingNumber`](pompeiu_core::spatial::WindingNumber)), but
-/// what it means is a choice. Far from an open sheet everything is outside, and close to it both sides are nearly at one half.
+/// what it means is a choice. Far from a sheet numbers are near to zero, and the side says little.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sides {
     /// Winding numbers of the other mesh about the vertices; NaN for those that belong to no face.
     pub vertex_winding: Vec<f64>,
     /// Winding numbers about the centroids of the faces.
     pub face_winding: Vec<f64>,
+    /// Whether the other mesh is a sheet.
+    pub of_sheet: bool,
 }
 
 impl Sides {
     /// Whether a winding number is that of a point inside; NaN is not.
-    pub fn is_inside(winding: f64) -> bool {
-        winding.abs() > 0.5
+    pub fn is_inside(&self, winding: f64) -> bool {
+        WindingNumber { value: winding, error: 0.0, of_sheet: self.of_sheet }.is_inside()
     }
 
     /// Number of vertices inside.
     pub fn vertices_inside(&self) -> usize {
-        self.vertex_winding.iter().filter(|winding| Self::is_inside(**winding)).count()
+        self.vertex_winding.iter().filter(|winding| self.is_inside(**winding)).count()
     }
 
     /// Whether a mesh is closed and oriented: then all points that can be joined without crossing it are on one side.
@@ -148,7 +149,7 @@ impl Sides {
             [0, 1, 2].map(|k| (0.5 * p[k] + 0.5 * q[k] + 0.5 * r[k]) * (2.0 / 3.0))
         };
         let centroids: Vec<_> = from.face_ids().map(centroid).collect();
-        Self { vertex_winding, face_winding: about(&centroids) }
+        Self { vertex_winding, face_winding: about(&centroids), of_sheet: winding.is_sheet() }
     }
 }
 
@@ -156,7 +157,7 @@ impl DirectedDeviation {
     /// Distances of the vertices, negative inside the other mesh; none unless sides were asked for.
     pub fn signed_vertices(&self) -> Option<Vec<f64>> {
         let sides = self.sides.as_ref()?;
-        let signed = |(d, w): (&f64, &f64)| if Sides::is_inside(*w) { -d } else { *d };
+        let signed = |(d, w): (&f64, &f64)| if sides.is_inside(*w) { -d } else { *d };
         Some(self.vertices.iter().zip(&sides.vertex_winding).map(signed).collect())
     }
 

@@ -152,7 +152,7 @@ impl<'s> Signs<'s> {
     fn of_corner(&self, corners: [u32; 3], start: &Start, corner: usize) -> Option<bool> {
         let number = self.of_vertices[corners[corner] as usize];
         let is_known = start.distances[corner] > self.inside.touching && !number.is_nan();
-        is_known.then(|| Sides::is_inside(number))
+        is_known.then(|| Inside::is_inside(number))
     }
 
     /// Whether the part of a piece where the function below is positive is inside, if it is certain.
@@ -174,7 +174,7 @@ impl<'s> Signs<'s> {
             known.inside
         } else {
             let farthest = free().reduce(|i, j| if polygon.lower[j] > polygon.lower[i] { j } else { i })?;
-            Sides::is_inside(self.inside.about(cutter.point(at(farthest)), piece.near, scratch)?)
+            Inside::is_inside(self.inside.about(cutter.point(at(farthest)), piece.near, scratch)?)
         };
         known.extend(free().map(|j| Free { at: at(j), radius: radius(j), inside }));
         Some(inside)
@@ -213,7 +213,8 @@ impl<'s> Signs<'s> {
         for v in unreferenced(from) {
             vertex_winding[v] = f64::NAN;
         }
-        Sides { vertex_winding, face_winding: from.faces().par_iter().enumerate().map(of_face).collect() }
+        let face_winding = from.faces().par_iter().enumerate().map(of_face).collect();
+        Sides { vertex_winding, face_winding, of_sheet: false }
     }
 }
 

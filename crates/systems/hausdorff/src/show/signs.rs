@@ -19,7 +19,7 @@ pub(super) fn give(
     snap: &Snap,
 ) {
     let (mesh, other) = (pair.measured(found.direction), pair.other(found.direction));
-    let inside = |v: u32| Sides::is_inside(sides.vertex_winding[v as usize]);
+    let inside = |v: u32| sides.is_inside(sides.vertex_winding[v as usize]);
     let mut of_parts = Parts::new(is_part.contains(&true) && Sides::are_constant_beside(other));
     let mut face_before = None;
     for (((corners, distances), face), _) in

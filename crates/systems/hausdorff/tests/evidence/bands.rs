@@ -1,6 +1,6 @@
 //! Signed tolerance bands: closed forms, and points drawn at random.
 
-use pompeiu_core::mesh::shapes::{cube, icosphere};
+use pompeiu_core::mesh::shapes::{Diagonal, cube, grid, icosphere};
 use pompeiu_core::mesh::{Affine, displace_at_random, transform};
 use pompeiu_core::run::Limits;
 use pompeiu_core::spatial::Winding;
@@ -125,6 +125,43 @@ fn a_surface_with_a_hole() {
     agrees(&found.a_to_b, &found.edges, &sampled(&open, &b, -1.0, 4000));
     assert!(found.a_to_b.shares.iter().flatten().all(|share| share.gap() < 0.005), "{found:?}");
     assert!(found.b_to_a.shares.iter().flatten().all(|share| share.gap() < 0.2), "{found:?}");
+}
+
+/// Of two reliefs over one square the upper one is in excess, whatever is below and above all of it.
+#[test]
+fn sheets_have_their_sides_by_their_normals() {
+    let relief = |wave: f64, seed: u64| {
+        let flat = grid([1.0, 1.0], [24, 24], Diagonal::Rising).unwrap();
+        let raised = |p: &[f64; 3]| [p[0], p[1], wave * (9.0 * p[0]).sin() * (7.0 * p[1]).cos()];
+        let raised = TriMesh::new(flat.positions().iter().map(raised).collect(), flat.faces().to_vec());
+        displace_at_random(&raised.unwrap(), 2e-3, seed).unwrap()
+    };
+    let (a, b) = (relief(0.0, 6), relief(0.03, 7));
+    let found = bands(&a, &b, &[[-0.01, 0.0], [0.0, 0.01]], &Limits::default());
+    assert!(!found.b_to_a.closed && !found.a_to_b.closed);
+    // On the same line upwards the other sheet lies below or above.
+    let above = |point: [f64; 3], other: &TriMesh| {
+        let under = other.face_ids().find_map(|face| height_in(other.corners(face), [point[0], point[1]]));
+        under.map(|height| point[2] > height)
+    };
+    for (found, from, to, sign) in [(&found.b_to_a, &b, &a, 1.0), (&found.a_to_b, &a, &b, -1.0)] {
+        let values = sampled(from, to, sign, 4000);
+        agrees(found, &[-0.01, 0.0, 0.01], &values);
+        assert!(found.shares.iter().flatten().all(|share| share.gap() < 0.13), "{found:?}");
+        let of_points = from.positions().iter().filter_map(|p| Some((*p, above(*p, to)?)));
+        let winding = Winding::new(to);
+        let wrong = of_points.filter(|(p, above)| winding.about(*p).is_inside() == *above).count();
+        assert!(wrong * 100 < from.positions().len(), "{wrong}");
+    }
+}
+
+/// The height of a triangle over a point of the plane, if it is over it.
+fn height_in(corners: [[f64; 3]; 3], [x, y]: [f64; 2]) -> Option<f64> {
+    let [a, b, c] = corners;
+    let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let v = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
+    let w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+    (v >= 0.0 && w >= 0.0 && v + w <= 1.0).then(|| a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2]))
 }
 
 #[test]

@@ -6,7 +6,6 @@ use pompeiu_core::mesh::shapes::{Diagonal, grid, icosphere};
 use pompeiu_core::mesh::{displace_at_random, unweld};
 use pompeiu_core::run::Limits;
 use pompeiu_core::{FaceId, TriMesh};
-use pompeiu_hausdorff::deviation::Sides;
 use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, StopReason, directed_hausdorff};
 use pompeiu_testkit::effort::cases;
 use pompeiu_testkit::plain::{area, point_point, point_triangles};
@@ -276,8 +275,8 @@ fn sides_of_spheres() {
         assert!(inside.iter().zip(&report.a_to_b.vertices).all(|(signed, d)| *signed == -d && *d > 0.3));
         let outside = report.b_to_a.signed_vertices().unwrap();
         assert!(outside.iter().zip(&report.b_to_a.vertices).all(|(signed, d)| signed == d && *d > 0.3));
-        let faces = &report.a_to_b.sides.unwrap().face_winding;
-        assert!(faces.iter().all(|w| Sides::is_inside(*w)));
+        let sides = report.a_to_b.sides.unwrap();
+        assert!(sides.face_winding.iter().all(|w| sides.is_inside(*w)));
     }
 }
 

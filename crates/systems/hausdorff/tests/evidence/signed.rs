@@ -6,7 +6,7 @@ use pompeiu_core::mesh::shapes::{Diagonal, cube, grid, icosphere};
 use pompeiu_core::mesh::{Affine, displace_at_random, merge, transform, unweld};
 use pompeiu_core::spatial::Winding;
 use pompeiu_hausdorff::DeviationOptions;
-use pompeiu_hausdorff::deviation::{Deviation, DirectedDeviation, Extreme, Sides};
+use pompeiu_hausdorff::deviation::{Deviation, DirectedDeviation, Extreme};
 
 fn signed(a: &TriMesh, b: &TriMesh) -> Deviation {
     DeviationOptions { signed: true, ..DeviationOptions::default() }.symmetric(a, b).unwrap()
@@ -80,11 +80,11 @@ fn sides_agree(found: &DirectedDeviation, from: &TriMesh, to: &TriMesh) {
     let winding = Winding::new(to);
     let sides = found.sides.as_ref().unwrap();
     for (p, number) in from.positions().iter().zip(&sides.vertex_winding) {
-        assert_eq!(Sides::is_inside(*number), winding.about(*p).is_inside(), "{p:?}");
+        assert_eq!(sides.is_inside(*number), winding.about(*p).is_inside(), "{p:?}");
     }
     for (f, number) in from.face_ids().zip(&sides.face_winding) {
         let centre = [0, 1, 2].map(|k| from.corners(f).iter().map(|p| p[k] / 3.0).sum());
-        assert_eq!(Sides::is_inside(*number), winding.about(centre).is_inside(), "{centre:?}");
+        assert_eq!(sides.is_inside(*number), winding.about(centre).is_inside(), "{centre:?}");
     }
 }
 

@@ -80,6 +80,9 @@ fn directed(
         let inside = grouped(sides.vertices_inside() as u64);
         let all = directed.vertices.iter().filter(|distance| !distance.is_nan()).count();
         page.row("  inside", &format!("{inside} of {}", counted(all, "vertex")));
+        if sides.of_sheet {
+            page.row("", &format!("{to} is a sheet: what lies behind its faces counts as inside"));
+        }
     }
     regions(page, "  regions", &directed.regions);
     if let Some(threshold) = report.threshold {

@@ -4,11 +4,11 @@ use super::super::criterion::Criterion;
 use super::super::entry::Entry;
 use super::super::face::Cutter;
 use super::super::linear::{greater, lesser};
-use super::super::polygon::Piece;
+use super::super::polygon::Polygon;
 use super::super::task::Faces;
 use super::Bands;
 use super::share::{Reach, Sign, Tally};
-use super::side::SideOf;
+use super::side::{Side, SideOf};
 use glam::DVec3;
 
 /// The first width of pieces at an edge, as a part of the range of distances on the face and of the doubt that is allowed.
@@ -20,6 +20,9 @@ const ATTEMPTS: u32 = 6;
 const LEAST_PROGRESS: f64 = 0.8;
 /// Pieces of a face at most.
 const MOST_PIECES: usize = 1 << 14;
+/// How often a piece is halved whose side is not known as a whole, and the least part of the doubt that is allowed for which it is.
+const HALVINGS: u32 = 3;
+const LEAST_DOUBT: f64 = 1e-2;
 
 /// What faces are cut for. Lengths are in the frame.
 pub(super) struct Cutting<'c> {
@@ -34,6 +37,15 @@ pub(super) struct Cutting<'c> {
     pub(super) allowed: f64,
     /// Widths that never matter.
     pub(super) floor: f64,
+}
+
+/// A face that is cut, and what is known of it.
+#[derive(Clone, Copy)]
+struct Part<'p> {
+    cutter: &'p Cutter<'p>,
+    area: (f64, f64),
+    of_face: &'p Reach,
+    of_all: Sign,
 }
 
 impl Cutting<'_> {
@@ -64,7 +76,8 @@ impl Cutting<'_> {
             cutter.cut(&start, &criterion, MOST_PIECES);
             let mut tally = Tally::new(self.bands);
             for piece in &cutter.pieces {
-                self.piece(cutter, piece, area, reach, sign, &mut tally);
+                let part = Part { cutter, area, of_face: reach, of_all: sign };
+                self.piece(&part, &piece.polygon, HALVINGS, &mut tally);
             }
             let before = best.as_ref().map_or(f64::INFINITY, |best| best.doubt);
             let stuck = tally.doubt > LEAST_PROGRESS * before;
@@ -80,16 +93,8 @@ impl Cutting<'_> {
         best.unwrap_or_else(|| Tally::new(self.bands))
     }
 
-    fn piece(
-        &self,
-        cutter: &Cutter<'_>,
-        piece: &Piece,
-        area: (f64, f64),
-        of_face: &Reach,
-        of_all: Sign,
-        tally: &mut Tally,
-    ) {
-        let polygon = &piece.polygon;
+    fn piece(&self, part: &Part<'_>, polygon: &Polygon, halvings: u32, tally: &mut Tally) {
+        let Part { cutter, area, of_face, of_all } = *part;
         let count = polygon.outline.count;
         let fold =
             |row: &[f64], from: f64, of: fn(f64, f64) -> f64| row[..count].iter().copied().fold(from, of);
@@ -113,7 +118,19 @@ impl Cutting<'_> {
         {
             // Where the function below is positive is convex, for it is concave: a part that does not meet the other surface, which so
             // lies on one side of it. Elsewhere the distance is at most by how much the two functions differ.
-            sign = self.sign_of(self.side_of_positive_part(cutter, piece));
+            let side = self.side_of_positive_part(cutter, polygon);
+            sign = self.sign_of(side.known());
+            let least = LEAST_DOUBT * self.allowed;
+            if side == Side::OfCentre
+                && halvings > 0
+                && polygon.outline.share() > least
+                && let Some(halves) = halves(cutter, polygon)
+            {
+                for half in &halves {
+                    self.piece(part, half, halvings - 1, tally);
+                }
+                return;
+            }
             if reach.least.0 <= self.touching {
                 let widths = (0..count).map(|j| polygon.upper[j] - polygon.lower[j]);
                 reach.unsigned = lesser(self.touching + widths.fold(0.0, greater), reach.greatest.1);
@@ -131,8 +148,7 @@ impl Cutting<'_> {
     }
 
     /// Whether the part of a piece where its lower function is positive is inside of the other mesh.
-    fn side_of_positive_part(&self, cutter: &Cutter<'_>, piece: &Piece) -> Option<bool> {
-        let polygon = &piece.polygon;
+    fn side_of_positive_part(&self, cutter: &Cutter<'_>, polygon: &Polygon) -> Side {
         let outline = &polygon.outline;
         let (mut sum, mut at) = (0.0, [0.0; 2]);
         for j in 0..outline.count {
@@ -146,6 +162,18 @@ impl Cutting<'_> {
             DVec3::from_array(corner).distance(DVec3::from_array(centre))
         };
         let radius = (0..outline.count).map(away).fold(self.touching, greater);
-        self.sides.is_inside(centre, radius)
+        self.sides.side(centre, radius)
     }
+}
+
+/// A piece halved across its longest edge, or between two of its corners.
+fn halves(cutter: &Cutter<'_>, polygon: &Polygon) -> Option<[Polygon; 2]> {
+    let outline = &polygon.outline;
+    if outline.count > 3 {
+        return polygon.cut_apart();
+    }
+    let [a, b, c] = [0, 1, 2].map(|j| DVec3::from_array(cutter.point([outline.v[j], outline.w[j]])));
+    let lengths = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
+    let longest = (1..3).fold(0, |longest, k| if lengths[k] > lengths[longest] { k } else { longest });
+    Some(polygon.halve(longest))
 }

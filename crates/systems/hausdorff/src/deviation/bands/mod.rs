@@ -13,7 +13,7 @@ use crate::report::{Enclosure, StopReason};
 /// # Definition
 /// The deviation of B from A is signed: positive where B has more than A, negative where it lacks something. At a point of B it is
 /// the distance from A, negative inside A. At a point of A it is the distance from B, negative outside of B. Inside is where the
-/// magnitude of the winding number is above one half ([`Sides`](super::Sides)).
+/// magnitude of the winding number is above one half, and behind a sheet ([`Sides`](super::Sides)).
 ///
 /// With the ends of all bands in ascending order `e_0 < … < e_n`, the classes are: below `e_0`, which is too low; from `e_0` to
 /// `e_1`, both included; above `e_1` up to `e_2`, and so on; above `e_n`, which is too high.
