@@ -28,6 +28,9 @@ pub(super) struct Draft {
 /// tubes may be as far from the samples.
 const NEAR: f64 = 0.1;
 
+/// Distance beyond which other complexes are tried, which takes many times as long: three quarters of the default tolerance.
+const FAR: f64 = 0.15;
+
 /// Scaled Jacobian from which on more of it does not make a draft fitter.
 const FULL: f64 = 0.35;
 
@@ -66,6 +69,10 @@ impl Draft {
 
     pub(super) fn is_near(&self) -> bool {
         self.off <= NEAR
+    }
+
+    pub(super) fn is_far(&self) -> bool {
+        self.off > FAR
     }
 
     /// Moves the vertices, those on the wall as well, with an increasing weight of the distance of faces from the cones, until the wall is near;

@@ -189,7 +189,7 @@ pub(super) fn mesh_node(
         && !draft.is_near()
     {
         draft.follow(cones, control);
-        if !draft.is_near() || draft.node.quality < ENOUGH {
+        if draft.is_far() || draft.node.quality < ENOUGH {
             // Other complexes may have vertices where the wall has its creases.
             let other = plan.best(MIDDLES, &|draft| draft.follow(cones, control), &Draft::fitness);
             if let Some(other) = other.filter(|other| other.fitness() > draft.fitness()) {
