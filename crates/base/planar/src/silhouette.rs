@@ -97,7 +97,7 @@ pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Regi
     let level = match options.level {
         Some(level) if level > 0.0 && level < 1.0 => level,
         Some(level) => return Err(SilhouetteError::Level(level)),
-        None => otsu(picture.levels()),
+        None => otsu(picture.levels(), (low, high)),
     };
     if !(f64::from(low) <= level && level < f64::from(high)) {
         return Err(SilhouetteError::Plain { width, height, low, high });
@@ -212,9 +212,8 @@ const BINS: usize = 256;
 /// Pictures with a smaller range of levels, such as masks of 16 bits with the values 0 and 1, have bins for that range alone.
 const NARROW: f64 = 16.0 / 255.0;
 
-/// The level that maximises the variance between the two classes; the middle of all such levels.
-fn otsu(levels: &[f32]) -> f64 {
-    let (low, high) = range(levels);
+/// The level that maximises the variance between the two classes; the middle of all such levels. The levels lie between `low` and `high`.
+fn otsu(levels: &[f32], (low, high): (f32, f32)) -> f64 {
     let (low, high) = (f64::from(low), f64::from(high));
     let (low, width) = if low < high && high - low < NARROW { (low, high - low) } else { (0.0, 1.0) };
     let mut counts = [0_u64; BINS];

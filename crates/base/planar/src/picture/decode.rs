@@ -18,7 +18,7 @@ pub(super) fn png(bytes: &[u8]) -> Result<Pixels, PictureError> {
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| wrong(error.to_string()))?;
     let (width, height) = (reader.info().width, reader.info().height);
-    pixels(width.into(), height.into())?;
+    let count = pixels(width.into(), height.into())?;
     let size = reader.output_buffer_size().ok_or_else(|| wrong("it is too large".to_owned()))?;
     let mut buffer = vec![0; size];
     let frame = reader.next_frame(&mut buffer).map_err(|error| wrong(error.to_string()))?;
@@ -27,10 +27,10 @@ pub(super) fn png(bytes: &[u8]) -> Result<Pixels, PictureError> {
         return Err(wrong("its colours are not expanded".to_owned()));
     }
     let samples = match frame.bit_depth {
-        BitDepth::Eight => Samples::Eight(rgba(data.iter().copied(), frame.color_type, u8::MAX)),
+        BitDepth::Eight => Samples::Eight(rgba(data.iter().copied(), frame.color_type, u8::MAX, count)),
         BitDepth::Sixteen => {
             let samples = data.chunks_exact(2).map(|sample| u16::from_be_bytes([sample[0], sample[1]]));
-            Samples::Sixteen(rgba(samples, frame.color_type, u16::MAX))
+            Samples::Sixteen(rgba(samples, frame.color_type, u16::MAX, count))
         }
         _ => return Err(wrong("its samples are not of 8 or 16 bits after expansion".to_owned())),
     };
@@ -39,16 +39,23 @@ pub(super) fn png(bytes: &[u8]) -> Result<Pixels, PictureError> {
         .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }
 
-/// Pixels from their samples, opaque where they have no opacity.
-fn rgba<T: Copy>(mut samples: impl Iterator<Item = T>, of: ColorType, opaque: T) -> Vec<Rgba<T>> {
+/// Pixels from their samples, opaque where they have no opacity; `count` of them are expected.
+fn rgba<T: Copy>(
+    mut samples: impl Iterator<Item = T>,
+    of: ColorType,
+    opaque: T,
+    count: usize,
+) -> Vec<Rgba<T>> {
     let is_grey = matches!(of, ColorType::Grayscale | ColorType::GrayscaleAlpha);
     let has_opacity = matches!(of, ColorType::GrayscaleAlpha | ColorType::Rgba);
-    let mut pixel = || {
+    let pixel = || {
         let red = samples.next()?;
         let [green, blue] = if is_grey { [red; 2] } else { [samples.next()?, samples.next()?] };
         Some([red, green, blue, if has_opacity { samples.next()? } else { opaque }])
     };
-    std::iter::from_fn(&mut pixel).collect()
+    let mut found = Vec::with_capacity(count);
+    found.extend(std::iter::from_fn(pixel));
+    found
 }
 
 pub(super) fn jpeg(bytes: &[u8]) -> Result<Pixels, PictureError> {
@@ -61,9 +68,9 @@ pub(super) fn jpeg(bytes: &[u8]) -> Result<Pixels, PictureError> {
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     decoder.decode_headers().map_err(|error| wrong(error.to_string()))?;
     let (width, height) = decoder.dimensions().ok_or_else(|| wrong("it has no size".to_owned()))?;
-    pixels(width as u64, height as u64)?;
+    let count = pixels(width as u64, height as u64)?;
     let data = decoder.decode().map_err(|error| wrong(error.to_string()))?;
-    let samples = Samples::Eight(rgba(data.into_iter(), ColorType::Rgb, u8::MAX));
+    let samples = Samples::Eight(rgba(data.into_iter(), ColorType::Rgb, u8::MAX, count));
     Pixels::of_size(width, height, samples, false)
         .ok_or_else(|| wrong("it has fewer pixels than its header says".to_owned()))
 }

@@ -78,6 +78,11 @@ impl<'c> Cutter<'c> {
         self.envelope.scale.point(at).to_array()
     }
 
+    /// A part of the last face, cut across the longest way between two of its corners.
+    pub(super) fn halve(&self, polygon: &Polygon) -> Option<[Polygon; 2]> {
+        self.envelope.halve(polygon)
+    }
+
     /// Cuts a face until its pieces satisfy the criterion or are `most`. What the limits leave no time for stays as it is.
     pub(super) fn cut(&mut self, start: &Start, criterion: &Criterion, most: usize) {
         self.pieces.clear();

@@ -309,7 +309,7 @@ pub(super) fn of_points(points: &[[f64; 3]], mesh: &TriMesh) -> Option<Vec<Optio
             let near = bvh.some_near(p, &mut scratch.workspace);
             let is_free = bvh.distance_sq(p, near) > 0.0;
             let number = inside.about(p, near, &mut scratch).filter(|_| is_free);
-            number.map(|number| number.abs() > 0.5)
+            number.map(Inside::is_inside)
         };
         points.iter().map(of_point).collect::<Vec<_>>()
     };

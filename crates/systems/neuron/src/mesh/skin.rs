@@ -15,44 +15,33 @@ const SCALE: f64 = 0.1;
 /// How far vertices may move before cones that are not near a face become the nearest ones, in radii.
 const MOVE: f64 = 0.5;
 
-/// Faces on the wall with `N` vertices or positions each, with the cones near them.
-pub(super) struct Skin<const N: usize> {
-    faces: Vec<Face<N>>,
+/// Faces on the wall, each with the cones near it.
+pub(super) struct Skin {
+    faces: Vec<Face>,
     /// The weights of the vertices of a face at each of its points.
-    places: Vec<[f64; N]>,
+    places: Vec<[f64; 4]>,
     /// The mean cost over a face is this times the fourth power of the distance in units of [`SCALE`].
     weight: f64,
 }
 
-struct Face<const N: usize> {
-    vertices: [u32; N],
+struct Face {
+    vertices: [u32; 4],
     near: Wall,
     /// For each point the least radius of the cones near it, and the distance from the surface over the value of the smooth distance, which is
     /// less in a crease.
     points: Vec<(f64, f64)>,
 }
 
-impl Skin<4> {
+impl Skin {
     /// Bilinear faces with the given vertices, which may move by half a radius.
     pub(super) fn new(wall: &Wall, faces: &[[u32; 4]], positions: &[DVec3], weight: f64) -> Self {
-        Self::with_places(wall, (faces, bilinear()), positions, weight)
-    }
-}
-
-impl<const N: usize> Skin<N> {
-    /// Faces with the given vertices, which may move by half a radius, and their weights at points.
-    pub(super) fn with_places(
-        wall: &Wall,
-        (faces, places): (&[[u32; N]], Vec<[f64; N]>),
-        positions: &[DVec3],
-        weight: f64,
-    ) -> Self {
-        let face = |vertices: &[u32; N]| {
+        let places = bilinear();
+        let face = |vertices: &[u32; 4]| {
             let corners = vertices.map(|v| positions[v as usize]);
-            let centre = corners.iter().sum::<DVec3>() / N as f64;
+            let centre = corners.iter().sum::<DVec3>() / 4.0;
             let reach = corners.iter().map(|p| p.distance(centre)).fold(0.0, f64::max);
             let near = wall.near(centre, reach + MOVE * wall.radius(centre));
-            let point = |weights: &[f64; N]| {
+            let point = |weights: &[f64; 4]| {
                 let p = at(&corners, weights);
                 let (distance, slope) = near.distance(p);
                 (near.least_radius(p), depth_of(&near, p, distance, slope))
@@ -71,9 +60,9 @@ impl<const N: usize> Skin<N> {
 
     /// The greatest distance of the points, in radii.
     pub(super) fn off(&self, positions: &[DVec3]) -> f64 {
-        let of_face = |face: &Face<N>| {
+        let of_face = |face: &Face| {
             let corners = face.vertices.map(|v| positions[v as usize]);
-            let distance = |(weights, (radius, _)): (&[f64; N], &(f64, f64))| {
+            let distance = |(weights, (radius, _)): (&[f64; 4], &(f64, f64))| {
                 let p = at(&corners, weights);
                 let (distance, slope) = face.near.distance(p);
                 distance.abs() * depth_of(&face.near, p, distance, slope) / radius
@@ -121,7 +110,7 @@ fn depth_of(wall: &Wall, p: DVec3, distance: f64, slope: DVec3) -> f64 {
     }
 }
 
-fn at<const N: usize>(corners: &[DVec3; N], weights: &[f64; N]) -> DVec3 {
+fn at(corners: &[DVec3; 4], weights: &[f64; 4]) -> DVec3 {
     corners.iter().zip(weights).map(|(p, w)| *p * *w).sum()
 }
 

@@ -124,7 +124,7 @@ impl Cutting<'_> {
             if side == Side::OfCentre
                 && halvings > 0
                 && polygon.outline.share() > least
-                && let Some(halves) = halves(cutter, polygon)
+                && let Some(halves) = cutter.halve(polygon)
             {
                 for half in &halves {
                     self.piece(part, half, halvings - 1, tally);
@@ -164,16 +164,4 @@ impl Cutting<'_> {
         let radius = (0..outline.count).map(away).fold(self.touching, greater);
         self.sides.side(centre, radius)
     }
-}
-
-/// A piece halved across its longest edge, or between two of its corners.
-fn halves(cutter: &Cutter<'_>, polygon: &Polygon) -> Option<[Polygon; 2]> {
-    let outline = &polygon.outline;
-    if outline.count > 3 {
-        return polygon.cut_apart();
-    }
-    let [a, b, c] = [0, 1, 2].map(|j| DVec3::from_array(cutter.point([outline.v[j], outline.w[j]])));
-    let lengths = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
-    let longest = (1..3).fold(0, |longest, k| if lengths[k] > lengths[longest] { k } else { longest });
-    Some(polygon.halve(longest))
 }

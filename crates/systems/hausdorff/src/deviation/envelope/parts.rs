@@ -55,7 +55,7 @@ impl Envelope<'_> {
     }
 
     /// Cuts across the longest way between two corners.
-    fn halve(&self, polygon: &Polygon) -> Option<[Polygon; 2]> {
+    pub(in super::super) fn halve(&self, polygon: &Polygon) -> Option<[Polygon; 2]> {
         let way = |i: usize, j: usize| {
             self.scale.way([
                 polygon.outline.v[j] - polygon.outline.v[i],
