@@ -176,12 +176,12 @@ fn most_targets_are_discarded_cheaply() {
 
 #[test]
 fn threads_do_not_change_a_bit() {
-    let (template, targets) = rough(40);
+    let (template, targets) = rough(24);
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     for alignment in [Alignment::None, Alignment::Rigid] {
         let options = RankOptions { top: 4, alignment, ..RankOptions::default() };
         let on = |threads: usize| {
-            pool(threads).install(|| rank_meshes(&template, &targets[..20], &options).unwrap())
+            pool(threads).install(|| rank_meshes(&template, &targets[..12], &options).unwrap())
         };
         let one = on(1);
         assert_eq!((&one, &one), (&on(2), &on(8)));

@@ -223,16 +223,16 @@ fn reversed(mesh: &TriMesh) -> TriMesh {
 
 /// A thin shell between two spheres, a ring of thin wall, a thin plate with many holes: coarse faces of both sides come near each other.
 fn thin_walls() -> Vec<TriMesh> {
-    let shell = |inner: f64| {
-        let hole = reversed(&shapes::icosphere(inner, 4).unwrap());
-        merge(&[&shapes::icosphere(1.0, 4).unwrap(), &hole]).unwrap()
+    let shell = |inner: f64, level: u32| {
+        let hole = reversed(&shapes::icosphere(inner, level).unwrap());
+        merge(&[&shapes::icosphere(1.0, level).unwrap(), &hole]).unwrap()
     };
     let ring = |inner: f64| {
         let hole = reversed(&shapes::torus(2.0, inner, 60, 40).unwrap());
         merge(&[&shapes::torus(2.0, 0.7, 60, 40).unwrap(), &hole]).unwrap()
     };
     let plate = subdivide(&subdivide(&shapes::perforated_plate(1.0, 5).unwrap()).unwrap()).unwrap();
-    vec![shell(0.97), shell(0.995), ring(0.66), displace_at_random(&plate, 0.004, 5).unwrap()]
+    vec![shell(0.97, 4), shell(0.995, 3), ring(0.66), displace_at_random(&plate, 0.004, 5).unwrap()]
 }
 
 #[test]
