@@ -116,6 +116,11 @@ def read_outlines(
     ------
     ReadError
         If the file cannot be read, or holds no closed outline.
+
+    Warns
+    -----
+    UserWarning
+        For each ``<use>`` of an SVG drawing that refers to what is not in it, and draws nothing.
     """
     return _native.read_outlines(os.fspath(path), level, foreground, bool(staircase))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Union
@@ -212,4 +213,6 @@ def puzzle(
     if pieces < 0:
         raise OptionError(f"the number of pieces is {pieces}; it must be at least 2")
     answer, beside = ask("puzzle", locals(), meshes=())
+    for left_out in answer["report"].get("left_out", []):
+        warnings.warn(left_out, stacklevel=2)
     return Puzzle(beside["outlines"], answer["report"], beside["drawings"], answer["stop"])

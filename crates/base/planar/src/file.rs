@@ -3,7 +3,7 @@
 use crate::dxf::{self, DxfError};
 use crate::picture::{Picture, PictureError, PictureFormat};
 use crate::silhouette::{SilhouetteError, SilhouetteOptions, silhouette};
-use crate::svg::{self, Polyline, SvgError};
+use crate::svg::{self, Missing, Polyline, SvgError};
 use crate::{FillRule, Outline, OutlineError, Point, Region, regions};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -32,6 +32,12 @@ pub enum FileError {
     /// The SVG drawing cannot be read.
     #[error(transparent)]
     Svg(#[from] SvgError),
+    /// A `use` of what is not in the drawing.
+    #[error(transparent)]
+    Missing(#[from] Missing),
+    /// A drawing of nothing but `use` of what is not in it.
+    #[error("there is no curve in the drawing: {0}")]
+    OnlyMissing(Missing),
     /// The DXF drawing cannot be read.
     #[error(transparent)]
     Dxf(#[from] DxfError),
@@ -106,7 +112,8 @@ pub fn shapes_in(path: &Path) -> Result<Vec<PathBuf>, FileError> {
 /// A shape of a drawing.
 #[derive(Debug)]
 pub struct DrawnShape {
-    /// What tells it from the other shapes of its file: the `id` of its element, or its place, from 1; none for the only one.
+    /// What tells it from the other shapes of its file: the `id` of its element, or its place, from 1; none for the only one, and for what is
+    /// not in the drawing.
     pub name: Option<String>,
     /// The shape, or why it cannot be used.
     pub region: Result<Region, FileError>,
@@ -117,17 +124,17 @@ pub struct DrawnShape {
 /// # Definition
 /// A picture shows one shape, its largest part, and a list of points is one. In an SVG drawing each element is a shape, with the holes that
 /// its fill rule leaves, or several where its parts lie beside each other; the ends of open curves are joined if it is filled. In a DXF drawing each curve, with the curves inside as holes, by the
-/// even–odd rule.
+/// even–odd rule. Each `use` of what is not in a drawing is an error in the place of a shape, after all shapes.
 ///
 /// # Errors
 /// [`FileError`] if nothing in the file can be used; it does not name the file.
 pub fn read_shapes(path: &Path, options: &SilhouetteOptions) -> Result<Vec<DrawnShape>, FileError> {
-    let mut groups = match content(path, options)? {
-        Content::Shape(region) => vec![(String::new(), Ok(vec![region]))],
-        Content::Groups(groups) => groups,
+    let (mut groups, missing) = match content(path, options)? {
+        Content::Shape(region) => (vec![(String::new(), Ok(vec![region]))], Vec::new()),
+        Content::Groups(groups, missing) => (groups, missing),
     };
     if groups.is_empty() {
-        return Err(FileError::Empty);
+        return Err(missing.into_iter().next().map_or(FileError::Empty, FileError::OnlyMissing));
     }
     if let [(_, found)] = &mut groups[..]
         && found.is_err()
@@ -143,6 +150,7 @@ pub fn read_shapes(path: &Path, options: &SilhouetteOptions) -> Result<Vec<Drawn
         }
     }
     name(&mut shapes);
+    shapes.extend(missing.into_iter().map(|missing| DrawnShape { name: None, region: Err(missing.into()) }));
     Ok(shapes)
 }
 
@@ -160,10 +168,10 @@ fn name(shapes: &mut [DrawnShape]) {
     }
 }
 
-/// What is in a file: one shape; or the shapes of each element of a drawing, with its id.
+/// What is in a file: one shape; or the shapes of each element of a drawing, with its id, and what is missing.
 enum Content {
     Shape(Region),
-    Groups(Vec<(String, Result<Vec<Region>, FileError>)>),
+    Groups(Vec<(String, Result<Vec<Region>, FileError>)>, Vec<Missing>),
 }
 
 fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileError> {
@@ -184,17 +192,19 @@ fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileErro
         curves.into_iter().enumerate().map(|(i, curve)| closed(first + i, joined(curve))).collect()
     };
     if text.trim_start().starts_with('<') {
-        let shapes = svg::read_elements(&text)?.into_iter().map(|element| {
+        let drawing = svg::read_drawing(&text)?;
+        let shapes = drawing.elements.into_iter().map(|element| {
             let curves = closed(element.curves, element.is_filled);
             (element.id, curves.and_then(|curves| Ok(regions(curves, element.fill_rule)?)))
         });
-        Ok(Content::Groups(shapes.collect()))
+        Ok(Content::Groups(shapes.collect(), drawing.missing))
     } else if has_suffix(path, &["dxf"]) {
         let curves = dxf::read(&text)?;
         if curves.is_empty() {
             return Err(FileError::Empty);
         }
-        Ok(Content::Groups(vec![(String::new(), Ok(regions(closed(curves, false)?, FillRule::EvenOdd)?))]))
+        let shape = regions(closed(curves, false)?, FillRule::EvenOdd)?;
+        Ok(Content::Groups(vec![(String::new(), Ok(shape))], Vec::new()))
     } else {
         Ok(Content::Shape(Region { outer: list(&text)?, holes: Vec::new() }))
     }
@@ -218,31 +228,41 @@ fn text(bytes: &[u8]) -> Option<String> {
     }
 }
 
-/// The closed outlines in a file, in their order: of each shape in it, see [`read_shapes`], the outer one followed by its holes.
+/// The closed outlines in a file, in their order: of each shape in it, see [`read_shapes`], the outer one followed by its holes; and each
+/// `use` of what is not in the drawing, which is left out.
 ///
 /// # Errors
 /// [`FileError`], also if one of the shapes cannot be used; it does not name the file.
-pub fn read_outlines(path: &Path, options: &SilhouetteOptions) -> Result<Vec<Outline>, FileError> {
-    let mut outlines = Vec::new();
+pub fn read_outlines(
+    path: &Path,
+    options: &SilhouetteOptions,
+) -> Result<(Vec<Outline>, Vec<Missing>), FileError> {
+    let (mut outlines, mut missing) = (Vec::new(), Vec::new());
     for shape in read_shapes(path, options)? {
-        let Region { outer, holes } = shape.region?;
-        outlines.push(outer);
-        outlines.extend(holes);
+        match shape.region {
+            Ok(Region { outer, holes }) => {
+                outlines.push(outer);
+                outlines.extend(holes);
+            }
+            Err(FileError::Missing(left_out)) => missing.push(left_out),
+            Err(error) => return Err(error),
+        }
     }
-    Ok(outlines)
+    Ok((outlines, missing))
 }
 
-/// The region that a file shows: its outline of greatest area, with the outlines inside it as holes.
+/// The region that a file shows: its outline of greatest area, with the outlines inside it as holes; and each `use` of what is not in the
+/// drawing, which is left out.
 ///
 /// # Errors
 /// As [`read_outlines`].
-pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<Region, FileError> {
-    let mut outlines = read_outlines(path, options)?;
+pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<(Region, Vec<Missing>), FileError> {
+    let (mut outlines, missing) = read_outlines(path, options)?;
     let largest =
         (0..outlines.len()).max_by(|i, j| outlines[*i].area().total_cmp(&outlines[*j].area()).then(j.cmp(i)));
     let outer = outlines.swap_remove(largest.ok_or(FileError::Empty)?);
     outlines.retain(|hole| outer.contains(hole.points()[0]));
-    Ok(Region { outer, holes: outlines })
+    Ok((Region { outer, holes: outlines }, missing))
 }
 
 fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<Vec<Point>, FileError> {

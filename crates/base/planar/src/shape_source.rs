@@ -1,6 +1,7 @@
 //! Where a shape comes from.
 
 use crate::silhouette::SilhouetteOptions;
+use crate::svg::Missing;
 use crate::{DrawnShape, FileError, Outline, OutlineError, Point, Region, read_region, read_shapes};
 use std::convert::Infallible;
 use std::fmt;
@@ -65,16 +66,18 @@ impl ShapeSource {
         }
     }
 
-    /// The shape, see [`read_region`].
+    /// The shape, and what is left out of its drawing, see [`read_region`].
     ///
     /// # Errors
     /// [`ShapeError`].
-    pub fn region(&self, options: &SilhouetteOptions) -> Result<Region, ShapeError> {
+    pub fn region(&self, options: &SilhouetteOptions) -> Result<(Region, Vec<Missing>), ShapeError> {
         match self {
             Self::File(path) => {
                 read_region(path, options).map_err(|error| ShapeError::File { path: path.clone(), error })
             }
-            Self::Corners(corners) => Ok(Region { outer: Outline::new(corners.clone())?, holes: Vec::new() }),
+            Self::Corners(corners) => {
+                Ok((Region { outer: Outline::new(corners.clone())?, holes: Vec::new() }, Vec::new()))
+            }
         }
     }
 
@@ -87,7 +90,7 @@ impl ShapeSource {
             Self::File(path) => {
                 read_shapes(path, options).map_err(|error| ShapeError::File { path: path.clone(), error })
             }
-            Self::Corners(_) => Ok(vec![DrawnShape { name: None, region: Ok(self.region(options)?) }]),
+            Self::Corners(_) => Ok(vec![DrawnShape { name: None, region: Ok(self.region(options)?.0) }]),
         }
     }
 }
@@ -100,7 +103,7 @@ mod tests {
     fn a_shape_is_read_or_given() {
         let square = ShapeSource::Corners(vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
         let region = square.region(&SilhouetteOptions::default());
-        assert_eq!(region.map(|region| region.outer.area()).ok(), Some(4.0));
+        assert_eq!(region.map(|(region, _)| region.outer.area()).ok(), Some(4.0));
         let missing: ShapeSource = "missing.svg".parse().unwrap_or_else(|error| match error {});
         let error = missing.region(&SilhouetteOptions::default()).map(|_| ());
         let error = error.map_err(|error| error.to_string());

@@ -7,7 +7,9 @@ use numpy::PyArray2;
 use pompeiu::complexity::generate::{self, PointOrder};
 use pompeiu::planar::ShapeError;
 use pompeiu::planar::silhouette::{Foreground, SilhouetteOptions};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
+use std::ffi::CString;
 use std::path::PathBuf;
 
 /// The outlines in a file: a picture, a drawing or a list of points.
@@ -26,11 +28,16 @@ pub(crate) fn read_outlines(
         _ => return Err(unknown("foreground", foreground, "\"auto\", \"dark\" or \"light\"")),
     };
     let options = SilhouetteOptions { level, foreground, staircase };
+    let shown = path.display().to_string();
     let found = wait::abandonable(py, move || {
         let found = pompeiu::planar::read_outlines(&path, &options);
         found.map_err(|error| ShapeError::File { path, error })
     })?;
-    let found = found.map_err(Raise::raise)?;
+    let (found, missing) = found.map_err(Raise::raise)?;
+    for missing in missing {
+        let said = CString::new(format!("{shown}: {missing}")).unwrap_or_default();
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &said, 1)?;
+    }
     found.into_iter().map(|outline| array_of_rows(py, outline.into_points())).collect()
 }
 

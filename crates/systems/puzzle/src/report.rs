@@ -35,6 +35,10 @@ pub struct PuzzleReport {
     /// The result of the lock test, for [`crate::take_apart`].
     #[cfg_attr(feature = "serde", serde(skip))]
     pub found: Lock,
+    /// Sentences about what drawings show of elements that they do not have; omitted if there is nothing.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]
+    pub left_out: Vec<String>,
     /// The width that tabs leave to necks at least; `null` if it is not known.
     pub least_neck: Option<f64>,
     /// The pairs of pieces whose common border has no tab.
@@ -249,6 +253,7 @@ pub(crate) fn report_until(puzzle: &Puzzle, control: &Control) -> PuzzleReport {
         kerf: None,
         packing: None,
         found,
+        left_out: Vec::new(),
         least_neck: None,
         without_tab,
         whimsies: puzzle.whimsies.clone(),

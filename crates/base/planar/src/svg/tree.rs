@@ -4,7 +4,7 @@ use super::lengths::{Of, length};
 use super::path::Curve;
 use super::shapes::{self, Wrong, attribute};
 use super::transform::Transform;
-use super::{Element, FLATTENING, Polyline, SvgError, viewport};
+use super::{Drawing, Element, FLATTENING, Missing, Polyline, SvgError, viewport};
 use crate::{FillRule, Point};
 use roxmltree::{Document, Node, NodeId, ParsingOptions};
 use std::collections::HashMap;
@@ -60,7 +60,7 @@ struct Count {
     points: usize,
 }
 
-pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
+pub(super) fn drawing(text: &str) -> Result<Drawing, SvgError> {
     // Illustrator, potrace and matplotlib begin drawings with a document type. Its entities are replaced in bounded depth and number.
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     let document =
@@ -92,7 +92,7 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
         copy: None,
     };
     let mut open = vec![(root, all)];
-    let (mut found, mut count) = (Vec::new(), Count::default());
+    let (mut elements, mut missing, mut count) = (Vec::new(), Vec::new(), Count::default());
     while let Some((node, above)) = open.pop() {
         if above.copy.is_some() {
             count.elements += 1;
@@ -108,7 +108,12 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
         }
         let mut place = placed(node, above).map_err(|why| wrong(node, why))?;
         if name == "use" {
-            let target = used(node, &named).map_err(|why| wrong(node, why))?;
+            let Some(target) = used(node, &named) else {
+                if place.is_visible {
+                    missing.push(Missing { line: line(node), href: href(node).to_owned() });
+                }
+                continue;
+            };
             let shift = shift(node, place.viewport).map_err(|why| wrong(node, why))?;
             place.transform = place.transform.then_inner(shift);
             place.copy = Some(Rc::new(copied(node, target, place.copy.take())?));
@@ -136,12 +141,14 @@ pub(super) fn elements(text: &str) -> Result<Vec<Element>, SvgError> {
             let id = outermost.map_or(node.attribute("id").unwrap_or_default(), |copy| &copy.id);
             // Of lines alone, one inside another is the border of a hole.
             let fill_rule = if place.is_filled { place.fill_rule } else { FillRule::EvenOdd };
-            found.push(element(id, (fill_rule, place.is_filled && !is_styled), &curves));
+            elements.push(element(id, (fill_rule, place.is_filled && !is_styled), &curves));
         }
         let children: Vec<Node<'_, '_>> = node.children().filter(Node::is_element).collect();
         open.extend(children.into_iter().rev().map(|child| (child, place.clone())));
     }
-    Ok(found)
+    // A copy may be within copies.
+    missing.dedup();
+    Ok(Drawing { elements, missing })
 }
 
 /// The line on which an element begins.
@@ -200,16 +207,14 @@ fn placed(node: Node<'_, '_>, above: Place) -> Result<Place, Wrong> {
     Ok(Place { transform, fill_rule, is_filled, is_visible, ..above })
 }
 
-/// The element that a `use` refers to.
-fn used<'d>(node: Node<'d, 'd>, named: &HashMap<&str, Node<'d, 'd>>) -> Result<Node<'d, 'd>, Wrong> {
-    let href = node.attribute("href").or_else(|| node.attribute((XLINK, "href"))).unwrap_or_default().trim();
-    let Some(id) = href.strip_prefix('#') else {
-        return Err((
-            "href",
-            format!("`{href}` is not in this drawing; expected # and the id of an element"),
-        ));
-    };
-    named.get(id).copied().ok_or_else(|| ("href", format!("no element has the id `{id}`")))
+/// The reference of a `use`.
+fn href<'n>(node: Node<'n, '_>) -> &'n str {
+    node.attribute("href").or_else(|| node.attribute((XLINK, "href"))).unwrap_or_default().trim()
+}
+
+/// The element that a `use` refers to, if it is in the drawing.
+fn used<'d>(node: Node<'d, 'd>, named: &HashMap<&str, Node<'d, 'd>>) -> Option<Node<'d, 'd>> {
+    named.get(href(node).strip_prefix('#')?).copied()
 }
 
 /// How a `use` moves what it shows.

@@ -185,11 +185,11 @@ fn files_are_told_apart_and_open_curves_refused() {
     let options = SilhouetteOptions::default();
     for (how, holes) in [("", 0), ("fill-rule='evenodd'", 1), ("style='fill:none;stroke:black'", 1)] {
         let text = format!("<svg><path {how} d='M0 0H9V9H0Z M3 3H6V6H3Z'/></svg>");
-        let region = read_region(&file("ring.svg", text.as_bytes()), &options).unwrap();
+        let (region, _) = read_region(&file("ring.svg", text.as_bytes()), &options).unwrap();
         assert_eq!((region.outer.area(), region.holes.len()), (81.0, holes), "{how}");
     }
     let points = file("points.csv", b"x,y\n0,0\n4,0\n4,3\n");
-    assert_eq!(read_outlines(&points, &options).unwrap()[0].area(), 6.0);
+    assert_eq!(read_outlines(&points, &options).unwrap().0[0].area(), 6.0);
     let gif_named_otherwise = file("shape.txt", &gif());
     assert!(read_region(&gif_named_otherwise, &options).is_ok());
     let open = file("open.svg", b"<svg><path fill='none' d='M0 0H9V9'/></svg>");
@@ -208,11 +208,28 @@ fn files_are_told_apart_and_open_curves_refused() {
 }
 
 #[test]
+fn what_a_drawing_does_not_have_is_left_out_and_said() {
+    let options = SilhouetteOptions::default();
+    let text = b"<svg><use href='#none'/><rect width='2' height='1'/>\n<use href='other.svg#a'/></svg>";
+    let some = file("some.svg", text);
+    let (region, missing) = read_region(&some, &options).unwrap();
+    assert_eq!((region.outer.area(), missing.len(), missing[1].line), (2.0, 2, 2));
+    let (outlines, same) = read_outlines(&some, &options).unwrap();
+    assert_eq!((outlines.len(), same), (1, missing));
+    let shapes = read_shapes(&some, &options).unwrap();
+    assert!(shapes.iter().all(|shape| shape.name.is_none()));
+    assert!(matches!(&shapes[2].region, Err(FileError::Missing(missing)) if missing.href == "other.svg#a"));
+    let none = file("nothing.svg", b"<svg><use href='#none'/></svg>");
+    let error = read_region(&none, &options).unwrap_err().to_string();
+    assert!(error.starts_with("there is no curve in the drawing: line 1: <use> draws nothing"), "{error}");
+}
+
+#[test]
 fn the_ends_of_filled_curves_are_joined() {
     let options = SilhouetteOptions::default();
     for drawing in ["<path d='M0 0H9V9H0'/>", "<polyline points='0,0 9,0 9,9 0,9'/>"] {
         let path = file("filled.svg", format!("<svg>{drawing}</svg>").as_bytes());
-        assert_eq!(read_outlines(&path, &options).unwrap()[0].area(), 81.0, "{drawing}");
+        assert_eq!(read_outlines(&path, &options).unwrap().0[0].area(), 81.0, "{drawing}");
     }
     let styled =
         file("styled.svg", b"<svg><style>.a{fill:none}</style><path class='a' d='M0 0H9V9H0'/></svg>");
@@ -241,7 +258,8 @@ fn text_is_read_as_other_programs_write_it() {
     ];
     for (name, bytes) in cases {
         let found = read_outlines(&file(name, &bytes), &options);
-        assert_eq!(found.unwrap_or_else(|error| panic!("{name}: {error}"))[0].area(), 2.0, "{name}");
+        let (found, _) = found.unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(found[0].area(), 2.0, "{name}");
     }
     let wrong = file("wrong.csv", b"0,0\r\n2,0\r\nx,y\r\n");
     assert!(matches!(read_outlines(&wrong, &options), Err(FileError::Line { line: 3, .. })));

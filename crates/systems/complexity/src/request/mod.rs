@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn each_shape_of_a_drawing_is_measured_or_reported() {
         let path = std::env::temp_dir().join(format!("pompeiu-several-{}.svg", std::process::id()));
-        let drawing = "<svg><circle id='disc' r='9'/><rect x='20' width='4' height='4'/><path fill='none' d='M0 0h1v1' id='open'/></svg>";
+        let drawing = "<svg><circle id='disc' r='9'/><rect x='20' width='4' height='4'/><path fill='none' d='M0 0h1v1' id='open'/><use href='#gone'/></svg>";
         std::fs::write(&path, drawing).unwrap();
         let named = |own: &str| format!("{}#{own}", path.display());
         let mine = [(named("disc"), 1.0), (named("2").rsplit('/').next().unwrap().to_owned(), 2.0)];
@@ -269,6 +269,11 @@ mod tests {
         let ranking: Vec<_> =
             report.ranking.iter().map(|shape| (shape.file.clone(), shape.against)).collect();
         assert_eq!(ranking, [(named("disc"), Some(1.0)), (named("2"), Some(2.0))]);
-        assert_eq!((report.failed.len(), report.failed[0].path.clone()), (1, named("open")));
+        assert_eq!((report.failed.len(), report.failed[0].path.clone()), (2, named("open")));
+        let message = "line 1: <use> draws nothing, for no element has the id `gone`";
+        assert_eq!(
+            report.failed[1],
+            FailedShape { path: path.display().to_string(), message: message.to_owned() }
+        );
     }
 }

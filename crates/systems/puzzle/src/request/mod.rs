@@ -238,8 +238,8 @@ impl PuzzleRequest {
     ) -> Result<PuzzleAnswer, PuzzleRequestError> {
         self.check()?;
         let width = self.kerf_width()?;
-        let mut read = Vec::new();
-        let mut whole = |source: &ShapeSource| whole(source, &mut read);
+        let (mut read, mut left_out) = (Vec::new(), Vec::new());
+        let mut whole = |source: &ShapeSource| whole(source, &mut read, &mut left_out);
         let options = PuzzleOptions {
             outline: self.outline.as_ref().map(&mut whole).transpose()?,
             size: self.size,
@@ -276,6 +276,7 @@ impl PuzzleRequest {
             };
             let made = started.elapsed();
             let mut report = report_until(&puzzle, &control);
+            report.left_out = left_out;
             report.least_neck = (self.tab != Tab::None).then(|| options.least_neck(puzzle.unit()));
             if let Some((fits, energy)) = &fits {
                 report.add_similarities(fits, energy);
@@ -358,9 +359,14 @@ impl PuzzleRequest {
     }
 }
 
-/// An outline without holes; notes the file that it comes from.
-fn whole(source: &ShapeSource, read: &mut Vec<(PathBuf, usize)>) -> Result<Outline, PuzzleRequestError> {
-    let region = source.region(&SilhouetteOptions::default())?;
+/// An outline without holes; notes the file that it comes from, and what is left out of it.
+fn whole(
+    source: &ShapeSource,
+    read: &mut Vec<(PathBuf, usize)>,
+    left_out: &mut Vec<String>,
+) -> Result<Outline, PuzzleRequestError> {
+    let (region, missing) = source.region(&SilhouetteOptions::default())?;
+    left_out.extend(missing.iter().map(|missing| format!("{source}: {missing}")));
     if !region.holes.is_empty() {
         let holes = region.holes.len();
         return Err(PuzzleRequestError::Holes { source_name: source.to_string(), holes });

@@ -29,6 +29,9 @@ impl System for Files {
         for (path, corners) in &found.read {
             session.note_points(path, *corners);
         }
+        for left_out in &found.report.left_out {
+            session.printer.warning(left_out);
+        }
         outputs.write(&found, request.kerf_width()?, print.as_ref(), session.printer)?;
         Ok(found.report)
     }
