@@ -94,7 +94,7 @@ pub struct RemainingPiece {
 /// What is known of the mean distance of a direction while it is being enclosed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeanSoFar {
-    /// From the vertices and about a thousand points of faces: nothing is proven of it.
+    /// From the corners and centroids of about a thousand faces: nothing is proven of it.
     Sampled(f64),
     /// Proven to hold the mean over the area.
     Enclosed(Enclosure),

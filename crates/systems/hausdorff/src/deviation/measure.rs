@@ -20,7 +20,7 @@ pub(super) fn area_and_moment(mesh: &TriMesh, frame: &Frame, vertices: &VertexDi
     chunks.into_iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1))
 }
 
-/// Faces at whose centroids the distance is measured for [`mean_distance`], at most.
+/// Faces at whose centroids the distance is measured for a mean, at most.
 const SAMPLES: usize = 1024;
 /// What the centroid of a triangle counts in the rule for means that is exact for quadratic functions; the corners count the rest.
 const OF_CENTROID: f64 = 0.75;
@@ -37,13 +37,11 @@ pub(super) fn mean_distance(
 ) -> f64 {
     let mut workspace = Workspace::default();
     let (mut area, mut of_centroids, mut of_faces, mut count) = (0.0, 0.0, 0.0, 0.0);
-    for face in order.iter().step_by(order.len().div_ceil(SAMPLES).max(1)) {
+    for face in sampled(order) {
         let corners = mesh.faces()[*face as usize];
-        let [a, b, c] = corners.map(|v| glam::DVec3::from_array(frame.map(mesh.positions()[v as usize])));
-        let centroid = ((a + b + c) * (1.0 / 3.0)).to_array();
+        let (centroid, weight, _) = face_in(mesh, frame, corners);
         let near = vertices.near[corners[0] as usize];
         let distance = bvh.nearest(centroid, near, &mut workspace).distance_sq.sqrt();
-        let weight = 0.5 * (b - a).cross(c - a).length();
         area += weight;
         of_centroids += weight * distance;
         let at_corners = corners.iter().map(|v| vertices.distances[*v as usize]).sum::<f64>() * (1.0 / 3.0);
@@ -55,6 +53,44 @@ pub(super) fn mean_distance(
     } else {
         of_faces / count
     }
+}
+
+/// About the mean distance over the area, from the centroids and corners of some faces alone: what can be said before the distances of all vertices
+/// are known. None where these faces have no area.
+pub(super) fn sampled_mean(mesh: &TriMesh, frame: &Frame, bvh: &Bvh, order: &[u32]) -> Option<f64> {
+    const TASK: usize = 64;
+    let faces: Vec<u32> = sampled(order).copied().collect();
+    let of_task = |faces: &[u32]| -> (f64, f64) {
+        let mut workspace = Workspace::default();
+        let mut near = bvh.any_slot();
+        let mut distance = |p: [f64; 3]| {
+            let nearest = bvh.nearest(p, near, &mut workspace);
+            near = nearest.slot;
+            nearest.distance_sq.sqrt()
+        };
+        let of_face = |(area, moment): (f64, f64), face: &u32| {
+            let (centroid, weight, corners) = face_in(mesh, frame, mesh.faces()[*face as usize]);
+            let at_corners = corners.map(&mut distance).iter().sum::<f64>() * (1.0 / 3.0);
+            let mean = OF_CENTROID * distance(centroid) + (1.0 - OF_CENTROID) * at_corners;
+            (area + weight, moment + weight * mean)
+        };
+        faces.iter().fold((0.0, 0.0), of_face)
+    };
+    let tasks: Vec<(f64, f64)> = faces.par_chunks(TASK).map(of_task).collect();
+    let (area, moment) = tasks.into_iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+    (area > 0.0).then(|| moment / area)
+}
+
+/// Some faces of an order in which neighbours are close, evenly spread over it.
+fn sampled(order: &[u32]) -> impl Iterator<Item = &u32> {
+    order.iter().step_by(order.len().div_ceil(SAMPLES).max(1))
+}
+
+/// The centroid, the area and the corners of a face in a frame, rounded.
+fn face_in(mesh: &TriMesh, frame: &Frame, corners: [u32; 3]) -> ([f64; 3], f64, [[f64; 3]; 3]) {
+    let corners = corners.map(|v| frame.map(mesh.positions()[v as usize]));
+    let [a, b, c] = corners.map(glam::DVec3::from_array);
+    (((a + b + c) * (1.0 / 3.0)).to_array(), 0.5 * (b - a).cross(c - a).length(), corners)
 }
 
 /// Distances of vertices in a frame, each with a nearest face of the other mesh.

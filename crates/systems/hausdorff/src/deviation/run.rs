@@ -91,6 +91,19 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         early.stop(StopReason::Cancelled);
     }
     let order = if early.is_stopped() { Vec::new() } else { ordered.order };
+    let ends = [distance.distance.lower(), distance.distance.upper()];
+    let progress = |examined: u64, [done, left]: [u64; 2], stage: [f64; 2]| {
+        let of_stage = Progress::new(direction, ends, done, left).as_stage(stage).as_stage(share);
+        observer.progress(&Progress { examined, ..of_stage })
+    };
+    let wants_mean = observer.wants_mean();
+    // Before the distances of all vertices, which take longer than the search.
+    if wants_mean && let Some(mean) = measure::sampled_mean(from, &frame, bvh, &order) {
+        observer.mean(direction, MeanSoFar::Sampled(frame.length_out(mean)));
+        if progress(distance.work.queries, [0, order.len() as u64], stages::CUT).is_break() {
+            early.stop(StopReason::Cancelled);
+        }
+    }
     let Some(vertices) = prepared.vertices(direction, &order, target, &early) else {
         let stop = early.reason().unwrap_or(StopReason::Time);
         let mut outcome = unknown(query, from, &frame, direction, floor, distance, stop);
@@ -112,16 +125,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     // Time is left for what follows.
     let finishing = FINISHING * refining.elapsed();
     let control = Control::default().until(deadline.map(|end| end.checked_sub(finishing).unwrap_or(end)));
-    let ends = [distance.distance.lower(), distance.distance.upper()];
-    let progress = |examined: u64, [done, left]: [u64; 2], stage: [f64; 2]| {
-        let of_stage = Progress::new(direction, ends, done, left).as_stage(stage).as_stage(share);
-        observer.progress(&Progress { examined, ..of_stage })
-    };
     let mean = measure::mean_distance(from, &frame, &vertices, bvh, &order, (total, moment));
-    let wants_mean = total > 0.0 && observer.wants_mean();
-    if wants_mean {
-        observer.mean(direction, MeanSoFar::Sampled(frame.length_out(mean)));
-    }
+    let wants_mean = wants_mean && total > 0.0;
     let usual = vertices.quantile(MOST_VERTICES);
     let inside = signed.and_then(|neighbours| Inside::new(to, neighbours, (bvh, &frame), rounding, &control));
     let inside = inside.filter(|inside| query.signed || inside.is_by_faces());
