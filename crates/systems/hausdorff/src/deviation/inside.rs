@@ -221,6 +221,13 @@ impl<'t> Inside<'t> {
         self.by_faces(p, &scratch.found).or_else(|| self.by_winding(p))
     }
 
+    /// The winding number about a point in the frame, if the faces that are nearest decide it. `near` is a face believed to be near.
+    pub(super) fn by_nearest(&self, p: [f64; 3], near: Slot, scratch: &mut Scratch) -> Option<f64> {
+        self.find(p, near, scratch);
+        let is_free = |nearest: &Nearest| nearest.distance_sq.sqrt() > self.touching;
+        if scratch.found.iter().all(is_free) { self.by_faces(p, &scratch.found) } else { None }
+    }
+
     fn by_winding(&self, p: [f64; 3]) -> Option<f64> {
         decided(self.winding.as_ref()?, self.frame.unmap(p))
     }

@@ -3,6 +3,7 @@
 use super::super::criterion::Criterion;
 use super::super::entry::Entry;
 use super::super::face::Cutter;
+use super::super::inside::Scratch;
 use super::super::linear::{greater, lesser};
 use super::super::polygon::Polygon;
 use super::super::task::Faces;
@@ -10,6 +11,7 @@ use super::Bands;
 use super::share::{Reach, Sign, Tally};
 use super::side::{Side, SideOf};
 use glam::DVec3;
+use pompeiu_core::spatial::Slot;
 
 /// The first width of pieces at an edge, as a part of the range of distances on the face and of the doubt that is allowed.
 const FIRST: f64 = 0.25;
@@ -46,6 +48,8 @@ struct Part<'p> {
     area: (f64, f64),
     of_face: &'p Reach,
     of_all: Sign,
+    /// A face of the other mesh that is believed to be near.
+    near: Slot,
 }
 
 impl Cutting<'_> {
@@ -71,13 +75,14 @@ impl Cutting<'_> {
             focus_mass: FIRST * self.allowed * range * start.area,
             floor: self.floor,
         };
+        let mut scratch = Scratch::default();
         let mut best: Option<Tally> = None;
         for _ in 0..ATTEMPTS {
             cutter.cut(&start, &criterion, MOST_PIECES);
             let mut tally = Tally::new(self.bands);
             for piece in &cutter.pieces {
-                let part = Part { cutter, area, of_face: reach, of_all: sign };
-                self.piece(&part, &piece.polygon, HALVINGS, &mut tally);
+                let part = Part { cutter, area, of_face: reach, of_all: sign, near: piece.near };
+                self.piece(&part, &piece.polygon, HALVINGS, &mut scratch, &mut tally);
             }
             let before = best.as_ref().map_or(f64::INFINITY, |best| best.doubt);
             let stuck = tally.doubt > LEAST_PROGRESS * before;
@@ -93,8 +98,15 @@ impl Cutting<'_> {
         best.unwrap_or_else(|| Tally::new(self.bands))
     }
 
-    fn piece(&self, part: &Part<'_>, polygon: &Polygon, halvings: u32, tally: &mut Tally) {
-        let Part { cutter, area, of_face, of_all } = *part;
+    fn piece(
+        &self,
+        part: &Part<'_>,
+        polygon: &Polygon,
+        halvings: u32,
+        scratch: &mut Scratch,
+        tally: &mut Tally,
+    ) {
+        let Part { cutter, area, of_face, of_all, .. } = *part;
         let count = polygon.outline.count;
         let fold =
             |row: &[f64], from: f64, of: fn(f64, f64) -> f64| row[..count].iter().copied().fold(from, of);
@@ -118,7 +130,7 @@ impl Cutting<'_> {
         {
             // Where the function below is positive is convex, for it is concave: a part that does not meet the other surface, which so
             // lies on one side of it. Elsewhere the distance is at most by how much the two functions differ.
-            let side = self.side_of_positive_part(cutter, polygon);
+            let side = self.side_of_positive_part(part, polygon, scratch);
             sign = self.sign_of(side.known());
             let least = LEAST_DOUBT * self.allowed;
             if side == Side::OfCentre
@@ -127,7 +139,7 @@ impl Cutting<'_> {
                 && let Some(halves) = cutter.halve(polygon)
             {
                 for half in &halves {
-                    self.piece(part, half, halvings - 1, tally);
+                    self.piece(part, half, halvings - 1, scratch, tally);
                 }
                 return;
             }
@@ -148,8 +160,8 @@ impl Cutting<'_> {
     }
 
     /// Whether the part of a piece where its lower function is positive is inside of the other mesh.
-    fn side_of_positive_part(&self, cutter: &Cutter<'_>, polygon: &Polygon) -> Side {
-        let outline = &polygon.outline;
+    fn side_of_positive_part(&self, part: &Part<'_>, polygon: &Polygon, scratch: &mut Scratch) -> Side {
+        let (cutter, outline) = (part.cutter, &polygon.outline);
         let (mut sum, mut at) = (0.0, [0.0; 2]);
         for j in 0..outline.count {
             let weight = greater(polygon.lower[j] - self.touching, 0.0);
@@ -162,6 +174,6 @@ impl Cutting<'_> {
             DVec3::from_array(corner).distance(DVec3::from_array(centre))
         };
         let radius = (0..outline.count).map(away).fold(self.touching, greater);
-        self.sides.side(centre, radius)
+        self.sides.side(centre, radius, part.near, scratch)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::area;
 use super::super::connected::{Entering, places};
+use super::super::inside::Scratch;
 use super::super::linear::{greater, lesser};
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
@@ -120,7 +121,7 @@ impl Question<'_> {
         };
         let edges = self.bands.edges().iter().map(|edge| frame.length_in(*edge)).collect();
         let bands = Bands { edges };
-        let sides = SideOf::new(other, &frame);
+        let sides = SideOf::new(other, (target.bvh(), &frame), rounding, &control);
         let mut cutting = Cutting {
             faces: &faces,
             sides: &sides,
@@ -178,18 +179,21 @@ impl Question<'_> {
             reaches[face].least.0 > cutting.touching
                 && reaches[face].class(Sign::Unknown, cutting.bands).is_none()
         };
-        let inside = |face: usize| {
+        let inside = |face: usize, scratch: &mut Scratch| {
             let corners = mesh.corners(FaceId(face as u32)).map(|p| cutting.faces.frame.map(p));
             let centre = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) * (1.0 / 3.0));
             let away = |p: &[f64; 3]| DVec3::from_array(*p).distance(DVec3::from_array(centre));
             let radius = corners.iter().map(away).fold(cutting.touching, greater);
-            cutting.sign_of(cutting.sides.is_inside(centre, radius))
+            let near = cutting.faces.vertices.near[mesh.faces()[face][0] as usize];
+            cutting.sign_of(cutting.sides.side(centre, radius, near, scratch).known())
         };
         let count = reaches.len();
         if !cutting.sides.is_closed() {
             return (0..count)
                 .into_par_iter()
-                .map(|face| if is_wanted(face) { inside(face) } else { Sign::Unknown })
+                .map_init(Scratch::default, |scratch, face| {
+                    if is_wanted(face) { inside(face, scratch) } else { Sign::Unknown }
+                })
                 .collect();
         }
         // Faces that touch each other and not the other surface lie on one side of it.
@@ -200,13 +204,14 @@ impl Question<'_> {
             entering.enter(face, face);
         }
         let mut known = vec![None; count];
+        let mut scratch = Scratch::default();
         (0..count)
             .map(|face| {
                 if !is_wanted(face) {
                     return Sign::Unknown;
                 }
                 let first = entering.first(face as u32) as usize;
-                *known[first].get_or_insert_with(|| inside(first))
+                *known[first].get_or_insert_with(|| inside(first, &mut scratch))
             })
             .collect()
     }

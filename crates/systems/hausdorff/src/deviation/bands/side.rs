@@ -1,10 +1,13 @@
 //! On which side of a surface a part of another one lies as a whole.
 
+use super::super::inside::{Inside, Scratch, neighbours};
 use super::boundary::Boundary;
+use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
-use pompeiu_core::spatial::Winding;
+use pompeiu_core::run::Control;
+use pompeiu_core::spatial::{Bvh, Slot, Winding};
 
 /// What rounding may do to a winding number, generously.
 const ROUNDING: f64 = 1e-6;
@@ -12,30 +15,40 @@ const ROUNDING: f64 = 1e-6;
 /// Where numbers vary more, none decides, and no accuracy is needed.
 const MOST: f64 = 0.25;
 
-/// Tells inside from outside of a mesh.
+/// Tells inside from outside of a mesh: of a closed one by the faces that are nearest, where these decide, else by winding numbers.
 pub(super) struct SideOf<'s> {
     frame: &'s Frame,
+    by_faces: Option<Inside<'s>>,
     winding: Winding,
     boundary: Boundary,
 }
 
 impl<'s> SideOf<'s> {
-    pub(super) fn new(mesh: &TriMesh, frame: &'s Frame) -> Self {
-        Self { frame, winding: Winding::new(mesh), boundary: Boundary::new(mesh, frame) }
+    /// Of a mesh with its tree.
+    pub(super) fn new(
+        mesh: &TriMesh,
+        (bvh, frame): (&'s Bvh, &'s Frame),
+        rounding: Rounding,
+        control: &Control,
+    ) -> Self {
+        let (winding, boundary) = (Winding::new(mesh), Boundary::new(mesh, frame));
+        let is_solid = boundary.is_empty() && !winding.is_sheet();
+        let inside = || Inside::new(mesh, &neighbours(mesh)?, (bvh, frame), rounding, control);
+        let by_faces = if is_solid { inside().filter(Inside::is_by_faces) } else { None };
+        Self { frame, by_faces, winding, boundary }
     }
 
     pub(super) fn is_closed(&self) -> bool {
         self.boundary.is_empty()
     }
 
-    /// Whether all points up to a radius around a point, in the frame, that are reached on ways which do not meet the surface are
-    /// inside; none if that is not known.
-    pub(super) fn is_inside(&self, centre: [f64; 3], radius: f64) -> Option<bool> {
-        self.side(centre, radius).known()
-    }
-
-    /// The side of those points.
-    pub(super) fn side(&self, centre: [f64; 3], radius: f64) -> Side {
+    /// The side of all points up to a radius around a point, in the frame, that are reached on ways which do not meet the surface. `near` is a face
+    /// believed to be near.
+    pub(super) fn side(&self, centre: [f64; 3], radius: f64, near: Slot, scratch: &mut Scratch) -> Side {
+        let by_faces = self.by_faces.as_ref();
+        if let Some(number) = by_faces.and_then(|inside| inside.by_nearest(centre, near, scratch)) {
+            return Side::OfAll(Inside::is_inside(number));
+        }
         let variation = ROUNDING + self.boundary.variation(DVec3::from_array(centre), radius);
         let number = self.winding.around(self.frame.unmap(centre), variation.min(MOST));
         let margin = number.margin() - number.error;
