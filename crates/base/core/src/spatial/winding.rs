@@ -77,6 +77,8 @@ const GROUP: usize = 8;
 /// Largest error of one group, tried in this order until it is certain whether the point is inside. No group meets the last, so every triangle is
 /// then summed individually.
 const ERRORS: [f64; 3] = [1e-2, 2e-4, -1.0];
+/// Groups with a smaller error are not worth another sum: all triangles are summed individually.
+const LEAST_ERROR: f64 = 1e-5;
 /// Points of a task.
 const TASK: usize = 256;
 /// Faces at which is tried whether a surface encloses something, at most; how far from them, as a part of the root of their area; and the mean
@@ -148,6 +150,21 @@ impl Winding {
     /// decides whether all numbers are on one side.
     pub fn around(&self, point: [f64; 3], variation: f64) -> WindingNumber {
         self.about_with(point, &mut Vec::new(), variation)
+    }
+
+    /// The number at a point, with an error that is no greater than this.
+    pub fn within(&self, point: [f64; 3], error: f64) -> WindingNumber {
+        let q = DVec3::from_array(self.frame.map(point));
+        let mut stack = Vec::new();
+        let mut most = ERRORS[0];
+        loop {
+            let number = self.sum(q, most, &mut stack);
+            if number.error <= error {
+                return number;
+            }
+            // The sum of errors falls at least as fast as the greatest; groups at which it is that are as good as none are summed individually.
+            most = if most > LEAST_ERROR { most * 0.5 * error / number.error } else { -1.0 };
+        }
     }
 
     /// The numbers at many points.

@@ -23,7 +23,7 @@ use pompeiu_core::spatial::{Bvh, Nearest, Slot, Winding, Workspace, self_interse
 use rayon::prelude::*;
 
 /// Pairs of faces that may intersect, as a part of all faces; with more the winding number decides everywhere.
-const MOST_INTERSECTING: f64 = 0.05;
+pub(super) const MOST_INTERSECTING: f64 = 0.05;
 /// Faces of a set that are tried until a point beside one of them has no other face near, and how far from the face that point is, as parts
 /// of the longest edge.
 const TRIALS: usize = 4;
@@ -62,12 +62,18 @@ const NONE: u32 = u32::MAX;
 /// What is kept from question to question.
 #[derive(Default)]
 pub(super) struct Scratch {
-    workspace: Workspace,
-    found: Vec<Nearest>,
+    pub(super) workspace: Workspace,
+    pub(super) found: Vec<Nearest>,
 }
 
 /// Pairs of neighbours across edges; none unless the surface is closed and oriented: each edge is passed as often one way as the other.
 pub(super) fn neighbours(mesh: &TriMesh) -> Option<Vec<[u32; 2]>> {
+    let (pairs, is_closed) = pairs(mesh);
+    is_closed.then_some(pairs)
+}
+
+/// Pairs of neighbours across edges of two faces that pass them in opposite directions, and whether the surface is closed and oriented.
+pub(super) fn pairs(mesh: &TriMesh) -> (Vec<[u32; 2]>, bool) {
     let place = places(mesh);
     let mut halves: Vec<(u32, u32, u32, bool)> = (mesh.faces().par_iter().enumerate())
         .flat_map_iter(|(face, corners)| {
@@ -78,15 +84,15 @@ pub(super) fn neighbours(mesh: &TriMesh) -> Option<Vec<[u32; 2]>> {
         .collect();
     halves.par_sort_unstable();
     let mut pairs = Vec::with_capacity(halves.len() / 2);
+    let mut is_closed = true;
     for edge in halves.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
-        if 2 * edge.iter().filter(|half| half.3).count() != edge.len() {
-            return None;
-        }
-        if let [one, two] = edge {
+        let is_balanced = 2 * edge.iter().filter(|half| half.3).count() == edge.len();
+        is_closed &= is_balanced;
+        if let ([one, two], true) = (edge, is_balanced) {
             pairs.push([one.2, two.2]);
         }
     }
-    Some(pairs)
+    (pairs, is_closed)
 }
 
 impl<'t> Inside<'t> {
@@ -184,14 +190,11 @@ impl<'t> Inside<'t> {
 
     /// Winding numbers behind and in front of a face, at points with no other face as near.
     fn beside(&self, mesh: &TriMesh, slot: Slot, scratch: &mut Scratch) -> Option<[f64; 2]> {
-        let [a, b, c] = self.bvh.corners(slot).map(DVec3::from_array);
-        let normal = (b - a).cross(c - a).try_normalize()?;
-        let centre = (a + b + c) * (1.0 / 3.0);
-        let size = (b - a).length().max((c - a).length()).max((c - b).length());
-        AWAY.into_iter().find_map(|away| {
+        let (centre, normal, distances) = away_from(self.bvh, slot)?;
+        distances.into_iter().find_map(|distance| {
             let mut numbers = [0.0; 2];
             for (number, side) in numbers.iter_mut().zip([-1.0, 1.0]) {
-                let p = (centre + side * away * size * normal).to_array();
+                let p = (centre + side * distance * normal).to_array();
                 self.find(p, slot, scratch);
                 let &[Nearest { distance_sq, slot: nearest }] = &scratch.found[..] else { return None };
                 if nearest != slot || distance_sq.sqrt() <= self.touching {
@@ -241,7 +244,7 @@ impl<'t> Inside<'t> {
             if set == NONE {
                 return None;
             }
-            let side = self.side(p, distance_sq, slot)?;
+            let side = side_of(self.bvh, p, distance_sq, slot)?;
             let number = match side {
                 Side::InPlane(_) => continue,
                 Side::Behind => self.beside[set as usize][0],
@@ -260,7 +263,7 @@ impl<'t> Inside<'t> {
     fn planes_leave_no_doubt(&self, p: DVec3, nearest: &[Nearest], number: f64) -> bool {
         let normals: Vec<DVec3> = nearest
             .iter()
-            .filter_map(|one| match self.side(p, one.distance_sq, one.slot) {
+            .filter_map(|one| match side_of(self.bvh, p, one.distance_sq, one.slot) {
                 Some(Side::InPlane(normal)) => Some(normal),
                 _ => None,
             })
@@ -269,22 +272,6 @@ impl<'t> Inside<'t> {
         let opposite = (0..normals.len()).any(|i| (0..i).any(|j| is_apart(i, j)));
         let of_set = |one: &Nearest| self.beside[self.set_of[one.slot.index()] as usize];
         normals.is_empty() || !opposite && nearest.iter().all(|one| of_set(one).contains(&number))
-    }
-
-    /// On which side of the plane of a face a point lies, if that is certain.
-    fn side(&self, p: DVec3, distance_sq: f64, slot: Slot) -> Option<Side> {
-        let [a, b, c] = self.bvh.corners(slot).map(DVec3::from_array);
-        let (ab, ac, ap) = (b - a, c - a, p - a);
-        let normal = ab.cross(ac);
-        let (size, height) = (normal.length(), normal.dot(ap));
-        let doubt = 64.0 * f64::EPSILON * ab.length() * ac.length() * ap.length();
-        let far = distance_sq.sqrt() * size;
-        let longest_sq = ab.length_squared().max(ac.length_squared()).max((c - b).length_squared());
-        if height.abs() > doubt && (height.abs() > IN_FRONT * far && size > LEAST_HEIGHT * longest_sq) {
-            return Some(if height > 0.0 { Side::InFront } else { Side::Behind });
-        }
-        (height.abs() + doubt <= IN_PLANE.max(64.0 * f64::EPSILON) * far)
-            .then(|| Side::InPlane(normal / size))
     }
 
     /// Whether it is faces that decide, as a rule: there are few pairs that intersect.
@@ -329,8 +316,31 @@ fn decided(winding: &Winding, point: [f64; 3]) -> Option<f64> {
     ((number.value.abs() - 0.5).abs() > number.error + ROUNDING).then(|| number.value.round())
 }
 
+/// On which side of the plane of a face a point at this distance of it lies, if that is certain.
+pub(super) fn side_of(bvh: &Bvh, p: DVec3, distance_sq: f64, slot: Slot) -> Option<Side> {
+    let [a, b, c] = bvh.corners(slot).map(DVec3::from_array);
+    let (ab, ac, ap) = (b - a, c - a, p - a);
+    let normal = ab.cross(ac);
+    let (size, height) = (normal.length(), normal.dot(ap));
+    let doubt = 64.0 * f64::EPSILON * ab.length() * ac.length() * ap.length();
+    let far = distance_sq.sqrt() * size;
+    let longest_sq = ab.length_squared().max(ac.length_squared()).max((c - b).length_squared());
+    if height.abs() > doubt && (height.abs() > IN_FRONT * far && size > LEAST_HEIGHT * longest_sq) {
+        return Some(if height > 0.0 { Side::InFront } else { Side::Behind });
+    }
+    (height.abs() + doubt <= IN_PLANE.max(64.0 * f64::EPSILON) * far).then(|| Side::InPlane(normal / size))
+}
+
+/// The centroid of a face, its normal, and distances at which points are beside it; none of a face without area.
+pub(super) fn away_from(bvh: &Bvh, slot: Slot) -> Option<(DVec3, DVec3, [f64; 4])> {
+    let [a, b, c] = bvh.corners(slot).map(DVec3::from_array);
+    let normal = (b - a).cross(c - a).try_normalize()?;
+    let size = (b - a).length().max((c - a).length()).max((c - b).length());
+    Some(((a + b + c) * (1.0 / 3.0), normal, AWAY.map(|away| away * size)))
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Side {
+pub(super) enum Side {
     InFront,
     Behind,
     /// As good as in the plane with this normal.

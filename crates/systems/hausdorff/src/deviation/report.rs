@@ -1,12 +1,20 @@
 //! What a deviation analysis answers.
 
+use super::boundary::Boundary;
 #[cfg(feature = "figures")]
 use super::inside;
+use super::inside::Scratch;
+use super::measure::VertexDistances;
+use super::patches::Patches;
 use super::regions::Region;
 use super::statistics::{Percentile, SignedStatistics, Statistics};
 use crate::report::{DirectedReport, Direction, Enclosure, StopReason};
+use crate::rounding::Rounding;
 use pompeiu_core::TriMesh;
-use pompeiu_core::spatial::{Winding, WindingNumber};
+use pompeiu_core::geom::Frame;
+use pompeiu_core::run::Control;
+use pompeiu_core::spatial::{Bvh, Slot, Winding, WindingNumber};
+use rayon::prelude::*;
 use std::time::Duration;
 
 /// How far two meshes deviate from each other, both ways.
@@ -134,22 +142,37 @@ impl Sides {
         found.into_iter().map(|inside| inside.or_else(|| rest.next()).unwrap_or(false)).collect()
     }
 
-    pub(super) fn of(from: &TriMesh, to: &TriMesh) -> Self {
-        let winding = Winding::new(to);
-        let about = |points: &[[f64; 3]]| -> Vec<f64> {
-            winding.about_all(points).into_iter().map(|number| number.value).collect()
+    /// Of a mesh that need not be closed: by the faces nearest to points where these decide, else by winding numbers.
+    pub(super) fn of(
+        (from, to): (&TriMesh, &TriMesh),
+        (bvh, frame): (&Bvh, &Frame),
+        vertices: &VertexDistances,
+        rounding: Rounding,
+        control: &Control,
+    ) -> Self {
+        let (winding, boundary) = (Winding::new(to), Boundary::new(to, frame));
+        let patches = Patches::new(to, (&winding, &boundary), (bvh, frame), rounding, control);
+        let about = |scratch: &mut Scratch, (p, near): ([f64; 3], Slot)| {
+            let by_faces =
+                patches.as_ref().and_then(|patches| patches.about(&boundary, frame.map(p), near, scratch));
+            by_faces.unwrap_or_else(|| winding.about(p)).value
         };
-        let mut vertex_winding = about(from.positions());
+        let mut vertex_winding: Vec<f64> = (from.positions().par_iter().zip(&vertices.near))
+            .map_init(Scratch::default, |scratch, (p, near)| about(scratch, (*p, *near)))
+            .collect();
         for v in unreferenced(from) {
             vertex_winding[v] = f64::NAN;
         }
         // Halved first, so that the sum of coordinates cannot overflow.
-        let centroid = |f| {
-            let [p, q, r] = from.corners(f);
-            [0, 1, 2].map(|k| (0.5 * p[k] + 0.5 * q[k] + 0.5 * r[k]) * (2.0 / 3.0))
+        let centroid = |corners: &[u32; 3]| {
+            let [p, q, r] = corners.map(|v| from.positions()[v as usize]);
+            let centroid = [0, 1, 2].map(|k| (0.5 * p[k] + 0.5 * q[k] + 0.5 * r[k]) * (2.0 / 3.0));
+            (centroid, vertices.near[corners[0] as usize])
         };
-        let centroids: Vec<_> = from.face_ids().map(centroid).collect();
-        Self { vertex_winding, face_winding: about(&centroids), of_sheet: winding.is_sheet() }
+        let face_winding = (from.faces().par_iter())
+            .map_init(Scratch::default, |scratch, corners| about(scratch, centroid(corners)))
+            .collect();
+        Self { vertex_winding, face_winding, of_sheet: winding.is_sheet() }
     }
 }
 

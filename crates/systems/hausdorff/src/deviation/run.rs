@@ -227,7 +227,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let sides = match &signs {
         _ if control_of_maxima.is_stopped() => None,
         Some(signs) => Some(signs.sides(from, &frame, &vertices, |face| bounds[face].min.0)),
-        None => query.signed.then(|| Sides::of(from, to)),
+        None => query.signed.then(|| Sides::of((from, to), (bvh, &frame), &vertices, rounding, &control)),
     };
     let areas =
         if summary.is_some() { pieces.measured().cumulative(largest, query.bins) } else { Vec::new() };

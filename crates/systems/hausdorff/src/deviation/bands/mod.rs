@@ -1,6 +1,5 @@
 //! Signed tolerance bands: how much of an area lies how far on which side.
 
-mod boundary;
 mod cut;
 mod run;
 mod share;

@@ -1,13 +1,13 @@
 //! The classes of all faces of both surfaces.
 
 use super::super::area;
+use super::super::boundary::Boundary;
 use super::super::connected::{Entering, places};
 use super::super::inside::Scratch;
 use super::super::linear::{greater, lesser};
 use super::super::report::{Deviation, DirectedDeviation};
 use super::super::statistics::share_of;
 use super::super::task::Faces;
-use super::boundary::Boundary;
 use super::cut::Cutting;
 use super::share::{Reach, Sign, Tally};
 use super::side::SideOf;

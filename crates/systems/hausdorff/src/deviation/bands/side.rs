@@ -1,7 +1,8 @@
 //! On which side of a surface a part of another one lies as a whole.
 
+use super::super::boundary::Boundary;
 use super::super::inside::{Inside, Scratch, neighbours};
-use super::boundary::Boundary;
+use super::super::patches::Patches;
 use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
@@ -15,12 +16,22 @@ const ROUNDING: f64 = 1e-6;
 /// Where numbers vary more, none decides, and no accuracy is needed.
 const MOST: f64 = 0.25;
 
-/// Tells inside from outside of a mesh: of a closed one by the faces that are nearest, where these decide, else by winding numbers.
+/// Where numbers vary more, none is computed: hardly any is farther from those that decide.
+const MOST_MARGIN: f64 = 0.5;
+
+/// Tells inside from outside of a mesh: by the faces that are nearest, where these decide, else by winding numbers.
 pub(super) struct SideOf<'s> {
     frame: &'s Frame,
-    by_faces: Option<Inside<'s>>,
+    by_faces: ByFaces<'s>,
     winding: Winding,
     boundary: Boundary,
+}
+
+enum ByFaces<'s> {
+    Closed(Inside<'s>),
+    Open(Patches<'s>),
+    /// Faces tell nothing.
+    Not,
 }
 
 impl<'s> SideOf<'s> {
@@ -32,9 +43,14 @@ impl<'s> SideOf<'s> {
         control: &Control,
     ) -> Self {
         let (winding, boundary) = (Winding::new(mesh), Boundary::new(mesh, frame));
-        let is_solid = boundary.is_empty() && !winding.is_sheet();
-        let inside = || Inside::new(mesh, &neighbours(mesh)?, (bvh, frame), rounding, control);
-        let by_faces = if is_solid { inside().filter(Inside::is_by_faces) } else { None };
+        let by_faces = if boundary.is_empty() {
+            let inside = || Inside::new(mesh, &neighbours(mesh)?, (bvh, frame), rounding, control);
+            let inside = if winding.is_sheet() { None } else { inside().filter(Inside::is_by_faces) };
+            inside.map_or(ByFaces::Not, ByFaces::Closed)
+        } else {
+            Patches::new(mesh, (&winding, &boundary), (bvh, frame), rounding, control)
+                .map_or(ByFaces::Not, ByFaces::Open)
+        };
         Self { frame, by_faces, winding, boundary }
     }
 
@@ -45,12 +61,22 @@ impl<'s> SideOf<'s> {
     /// The side of all points up to a radius around a point, in the frame, that are reached on ways which do not meet the surface. `near` is a face
     /// believed to be near.
     pub(super) fn side(&self, centre: [f64; 3], radius: f64, near: Slot, scratch: &mut Scratch) -> Side {
-        let by_faces = self.by_faces.as_ref();
-        if let Some(number) = by_faces.and_then(|inside| inside.by_nearest(centre, near, scratch)) {
+        if let ByFaces::Closed(inside) = &self.by_faces
+            && let Some(number) = inside.by_nearest(centre, near, scratch)
+        {
             return Side::OfAll(Inside::is_inside(number));
         }
         let variation = ROUNDING + self.boundary.variation(DVec3::from_array(centre), radius);
-        let number = self.winding.around(self.frame.unmap(centre), variation.min(MOST));
+        if variation > MOST_MARGIN {
+            return Side::OfCentre;
+        }
+        let by_faces = match &self.by_faces {
+            ByFaces::Open(open) => open.about(&self.boundary, centre, near, scratch),
+            _ => None,
+        };
+        let number = by_faces
+            .filter(|number| number.margin() - number.error > variation)
+            .unwrap_or_else(|| self.winding.around(self.frame.unmap(centre), variation.min(MOST)));
         let margin = number.margin() - number.error;
         if margin > variation {
             Side::OfAll(number.is_inside())
@@ -67,7 +93,7 @@ impl<'s> SideOf<'s> {
 pub(super) enum Side {
     /// Whether all points are inside.
     OfAll(bool),
-    /// Only that of the centre: of fewer points around it might be known.
+    /// At most that of the centre: of fewer points around it might be known.
     OfCentre,
     Unknown,
 }

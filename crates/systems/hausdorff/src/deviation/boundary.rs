@@ -5,7 +5,7 @@
 //! length of the way, times the lengths of boundary edges divided by the squares of their distances, over 4π. Of a closed surface
 //! nothing is left of the boundary, and the number is constant.
 
-use super::super::connected::places;
+use super::connected::places;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
@@ -73,6 +73,11 @@ impl Boundary {
     /// Whether the surface is closed: every edge is left as often as it is entered.
     pub(super) fn is_empty(&self) -> bool {
         self.edges.is_empty()
+    }
+
+    /// The number of its edges.
+    pub(super) fn len(&self) -> usize {
+        self.edges.len()
     }
 
     /// The winding number differs by at most this between a point and those up to a radius away, on ways that do not meet the surface.
