@@ -114,67 +114,19 @@ impl<'t> Patches<'t> {
         Some(open)
     }
 
-    /// Divides faces into patches, each of which grows from its first face to neighbours.
+    /// Divides faces into patches.
     fn divide(&mut self, mesh: &TriMesh, boundary: &Boundary, intersects: &[bool]) -> Vec<Found> {
-        let place = places(mesh);
-        let mut slot_of = vec![self.bvh.any_slot(); mesh.faces().len()];
-        for slot in self.bvh.slots() {
-            slot_of[self.bvh.face(slot).index()] = slot;
-        }
-        let mut beside = vec![[NONE; 3]; mesh.faces().len()];
-        for [one, two] in pairs(mesh).0 {
-            for (face, other) in [(one, two), (two, one)] {
-                if let Some(free) = beside[face as usize].iter_mut().find(|place| **place == NONE) {
-                    *free = other;
-                }
-            }
-        }
-        let hop = |from: u32, to: u32| -> Option<f64> {
-            let [from_places, to_places] =
-                [from, to].map(|face| mesh.faces()[face as usize].map(|v| place[v as usize]));
-            let common = (0..3).find(|i| to_places.contains(&from_places[*i]))?;
-            let [one, two] = [from, to].map(|face| slot_of[face as usize]);
-            let at = DVec3::from_array(self.bvh.corner(one, common));
-            Some((centroid(self.bvh, one).distance(at) + centroid(self.bvh, two).distance(at)) * MORE)
-        };
+        let ground = Ground::new(mesh, self.bvh, boundary, intersects);
         let mut patches: Vec<Found> = Vec::new();
-        let mut queue = VecDeque::new();
         for slot in self.bvh.slots() {
             let first = self.bvh.face(slot);
             if intersects[first.index()] || self.patch_of[slot.index()] != NONE {
                 continue;
             }
             let (centre, radius) = around(self.bvh, slot);
-            if boundary.variation(centre, radius) > MOST_AT_FIRST {
-                continue;
+            if boundary.variation(centre, radius) <= MOST_AT_FIRST {
+                patches.push(ground.grow(first.0, patches.len() as u32, &mut self.patch_of));
             }
-            let mut found = Found::default();
-            let number = patches.len() as u32;
-            self.patch_of[slot.index()] = number;
-            queue.push_back((first.0, 0.0));
-            while let Some((face, along)) = queue.pop_front() {
-                let slot = slot_of[face as usize];
-                if found.firsts.len() < TRIALS {
-                    found.firsts.push(slot);
-                }
-                found.along = if along > found.along { along } else { found.along };
-                for next in beside[face as usize] {
-                    if next == NONE || intersects[next as usize] {
-                        continue;
-                    }
-                    let next_slot = slot_of[next as usize];
-                    if self.patch_of[next_slot.index()] != NONE {
-                        continue;
-                    }
-                    let Some(way) = hop(face, next) else { continue };
-                    let along = along + boundary.variation(centroid(self.bvh, slot), way);
-                    if along <= MOST_ALONG {
-                        self.patch_of[next_slot.index()] = number;
-                        queue.push_back((next, along));
-                    }
-                }
-            }
-            patches.push(found);
         }
         patches
     }
@@ -233,6 +185,75 @@ impl<'t> Patches<'t> {
             }
         }
         answer.map(|(_, number)| number)
+    }
+}
+
+/// Where patches grow.
+struct Ground<'g> {
+    mesh: &'g TriMesh,
+    bvh: &'g Bvh,
+    boundary: &'g Boundary,
+    intersects: &'g [bool],
+    place: Vec<u32>,
+    slot_of: Vec<Slot>,
+    beside: Vec<[u32; 3]>,
+}
+
+impl<'g> Ground<'g> {
+    fn new(mesh: &'g TriMesh, bvh: &'g Bvh, boundary: &'g Boundary, intersects: &'g [bool]) -> Self {
+        let count = mesh.faces().len();
+        let mut slot_of = vec![bvh.any_slot(); count];
+        for slot in bvh.slots() {
+            slot_of[bvh.face(slot).index()] = slot;
+        }
+        let mut beside = vec![[NONE; 3]; count];
+        for [one, two] in pairs(mesh).0 {
+            for (face, other) in [(one, two), (two, one)] {
+                if let Some(free) = beside[face as usize].iter_mut().find(|place| **place == NONE) {
+                    *free = other;
+                }
+            }
+        }
+        Self { mesh, bvh, boundary, intersects, place: places(mesh), slot_of, beside }
+    }
+
+    /// A patch that grows from its first face to neighbours, as long as the number changes little on the way there.
+    fn grow(&self, first: u32, number: u32, patch_of: &mut [u32]) -> Found {
+        let mut found = Found::default();
+        let mut queue = VecDeque::from([(first, 0.0)]);
+        patch_of[self.slot_of[first as usize].index()] = number;
+        while let Some((face, along)) = queue.pop_front() {
+            if found.firsts.len() < TRIALS {
+                found.firsts.push(self.slot_of[face as usize]);
+            }
+            found.along = if along > found.along { along } else { found.along };
+            for next in self.beside[face as usize] {
+                if next == NONE || self.intersects[next as usize] {
+                    continue;
+                }
+                let patch = &mut patch_of[self.slot_of[next as usize].index()];
+                if *patch == NONE
+                    && let Some(change) = self.change(face, next)
+                    && along + change <= MOST_ALONG
+                {
+                    *patch = number;
+                    queue.push_back((next, along + change));
+                }
+            }
+        }
+        found
+    }
+
+    /// How much the number can change on the way between centroids of neighbours by a corner that they share.
+    fn change(&self, from: u32, to: u32) -> Option<f64> {
+        let places = |face: u32| self.mesh.faces()[face as usize].map(|v| self.place[v as usize]);
+        let (of_from, of_to) = (places(from), places(to));
+        let shared = (0..3).find(|corner| of_to.contains(&of_from[*corner]))?;
+        let [from, to] = [from, to].map(|face| self.slot_of[face as usize]);
+        let corner = DVec3::from_array(self.bvh.corner(from, shared));
+        let centre = centroid(self.bvh, from);
+        let way = centre.distance(corner) + centroid(self.bvh, to).distance(corner);
+        Some(self.boundary.variation(centre, way * MORE))
     }
 }
 
