@@ -143,9 +143,9 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
         .zip(&parts.layout.reach)
         .zip(&parts.nodes)
         .map(|((cluster, reach), node)| {
-            node.as_ref()
-                .filter(|_| !control.is_stopped())
-                .map(|node| bend(cluster, &parts.tubes, reach, node, &section, &control))
+            node.as_ref().filter(|_| !control.is_stopped()).map(|node| {
+                bend(cluster, (&parts.tubes, parts.factor), reach, node, (&section, options.within), &control)
+            })
         })
         .collect();
     go_on(&control)?;

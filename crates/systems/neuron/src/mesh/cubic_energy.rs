@@ -2,6 +2,7 @@
 
 use super::energy::minimise;
 use super::shape::Shape;
+use super::skin::Skin;
 use super::wall::{NearWalls, Wall};
 use glam::DVec3;
 use pompeiu_core::run::Control;
@@ -19,6 +20,8 @@ pub(super) struct CubicEnergy<'e> {
     pub(super) shape: Shape,
     /// The wall, the positions on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
+    /// Faces on the wall whose distance from it counts, not only that of positions.
+    pub(super) skin: Option<&'e Skin<16>>,
     /// The size of the node, which makes steps and distances dimensionless.
     pub(super) scale: f64,
     /// The size of each cell, which makes its energy dimensionless: regularisation is relative to it.
@@ -47,7 +50,7 @@ impl CubicEnergy<'_> {
     /// The energy; writes its gradient with respect to the free positions to `gradient`, and to all of them to `at`.
     fn value(
         &self,
-        (positions, near): (&[DVec3], &mut NearWalls),
+        (positions, [near, near_points]): (&[DVec3], &mut [NearWalls; 2]),
         gradient: &mut [DVec3],
         at: &mut [DVec3],
     ) -> f64 {
@@ -73,6 +76,9 @@ impl CubicEnergy<'_> {
         if let Some((wall, places, weight)) = self.wall {
             wall.add_cost((places, weight), self.scale, (positions, near), &mut total, at);
         }
+        if let Some(skin) = self.skin {
+            skin.add_cost((positions, near_points), &mut total, at);
+        }
         for (g, &v) in gradient.iter_mut().zip(self.free) {
             *g = at[v as usize];
         }
@@ -94,7 +100,8 @@ impl CubicEnergy<'_> {
     /// Minimises the energy over the free positions.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
         let mut scratch = vec![DVec3::ZERO; positions.len()];
-        let mut near = NearWalls::new(self.wall.map_or(0, |(_, on_wall, _)| on_wall.len()));
+        let on_wall = self.wall.map_or(0, |(_, on_wall, _)| on_wall.len());
+        let mut near = [on_wall, self.skin.map_or(0, Skin::points)].map(NearWalls::new);
         minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
             self.value((positions, &mut near), gradient, &mut scratch)
         })
@@ -161,10 +168,19 @@ mod tests {
             let control = &Control::default();
             let (wall, scale, table) = (None, 0.8, table.as_slice());
             let sizes = &[0.7];
-            let energy =
-                CubicEnergy { cells: &cells, free: &free, shape, wall, scale, sizes, table, control };
+            let energy = CubicEnergy {
+                cells: &cells,
+                free: &free,
+                shape,
+                wall,
+                skin: None,
+                scale,
+                sizes,
+                table,
+                control,
+            };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 4], vec![DVec3::ZERO; 4]);
-            let (mut scratch, mut near) = (vec![DVec3::ZERO; 64], NearWalls::new(0));
+            let (mut scratch, mut near) = (vec![DVec3::ZERO; 64], [0, 0].map(NearWalls::new));
             assert!(energy.value((&positions, &mut near), &mut gradient, &mut scratch).is_finite());
             for (k, &v) in free.iter().enumerate() {
                 for axis in 0..3 {

@@ -1,6 +1,7 @@
 //! The mesh around a node with tricubic cells.
 
 use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
+use super::cubic_follow::{Bent, follow, off};
 use super::node::{Cluster, size_of};
 use super::node_mesh::NodeMesh;
 use super::section::Section;
@@ -12,7 +13,7 @@ use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::interpolate_lattice;
 use pompeiu_volume::{
     CORNERS_OF_64, FACES, Jacobian, Refinement, certify_bezier, key_weights, place_of_64,
-    scaled_jacobian_bezier,
+    scaled_jacobian_bezier, scaled_jacobian_bound_bezier,
 };
 
 /// The blocks of a node as tricubic cells.
@@ -25,16 +26,20 @@ pub(super) struct CubicNode {
     pub(super) quality: f64,
 }
 
+/// Distance of the wall from the cones at points beyond which it is drawn to them, over what is tolerated: between the points it may be more.
+const CLOSE: f64 = 0.95;
+
 /// Parts per block of the initial trilinear mesh.
 pub(super) const START: usize = 2;
 
-/// Makes the cells of a node tricubic; the node must have been meshed with [`START`] parts per block.
+/// Makes the cells of a node tricubic; the node must have been meshed with [`START`] parts per block, and radii multiplied by the factor. The wall is
+/// drawn to the cones where it is farther from them than is tolerated, in radii.
 pub(super) fn bend(
     cluster: &Cluster,
-    tubes: &[Tube],
+    (tubes, factor): (&[Tube], f64),
     reach: &[f64],
     node: &NodeMesh,
-    section: &Section,
+    (section, within): (&Section, f64),
     control: &Control,
 ) -> CubicNode {
     let wall = cluster.wall(tubes, reach);
@@ -54,26 +59,67 @@ pub(super) fn bend(
         }
         cells.push(std::array::from_fn(|k| lattice[k]));
     }
-    let (fixed, on_wall) = boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
+    let (fixed, on_wall, faces) =
+        boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
     let sizes: Vec<f64> = if cluster.has_small_cells(tubes, reach, scale) {
         let corners = |cell: &[u32; 64]| CORNERS_OF_64.map(|k| positions[cell[k] as usize]);
         cells.iter().map(|cell| size_of(&corners(cell))).collect()
     } else {
         vec![scale; cells.len()]
     };
-    let mut found = None;
+    let cones = wall.divided(factor, cluster.balls.len());
+    let measured = |positions: Vec<DVec3>| {
+        let (points, quality, certified) = controlled(&cells, &positions);
+        Bent { off: off(&cones, &faces, &positions), positions, points, quality, certified }
+    };
+    let mut best: Option<Bent> = None;
     for places in [PLACES.as_slice(), &MANY_PLACES] {
         optimise((&cells, &fixed), (&wall, &on_wall), (scale, &sizes, control), places, &mut positions);
-        let (points, quality, certified) = controlled(&cells, &positions);
-        if certified || found.is_none() {
-            found = Some((points, quality));
+        let found = measured(positions.clone());
+        let is_done = found.certified;
+        if is_done || best.is_none() {
+            best = Some(found);
         }
-        if certified {
+        if is_done {
             break;
         }
     }
-    let (points, quality) = found.unwrap_or_default();
-    CubicNode { refinement, points, quality }
+    let mut best = best.unwrap_or_else(|| measured(positions));
+    if (best.off > CLOSE * within || !best.certified) && !control.is_stopped() {
+        let free: Vec<u32> = (0..fixed.len() as u32).filter(|&v| !fixed[v as usize]).collect();
+        let table = lagrange_table(&PLACES);
+        let many = lagrange_table(&MANY_PLACES);
+        let energy = CubicEnergy {
+            cells: &cells,
+            free: &free,
+            shape: Shape::MeanRatio { epsilon: 0.02 },
+            wall: None,
+            skin: None,
+            scale,
+            sizes: &sizes,
+            table: &table,
+            control,
+        };
+        // Between the points of cells it may be much less than at them.
+        let proven = |bent: Bent| {
+            let quality =
+                if bent.certified { proven(&cells, &bent.points, bent.quality) } else { bent.quality };
+            Bent { quality, ..bent }
+        };
+        best = follow(
+            proven(best),
+            [&energy, &CubicEnergy { table: &many, ..energy }],
+            (&cones, &faces),
+            |positions| proven(measured(positions)),
+        );
+    }
+    CubicNode { refinement, points: best.points, quality: best.quality }
+}
+
+/// A lower bound on the scaled Jacobian over all cells.
+fn proven(cells: &[[u32; 64]], points: &[DVec3], attained: f64) -> f64 {
+    let bound = |cell: &[u32; 64]| scaled_jacobian_bound_bezier(&cell.map(|v| points[v as usize]), attained);
+    cells.iter().map(bound).fold(attained, f64::min)
 }
 
 /// The control points, the least scaled Jacobian, and whether every cell is proven to have a positive Jacobian.
@@ -98,7 +144,7 @@ fn between(coarse: &[DVec3], place: [usize; 3]) -> DVec3 {
     coarse.iter().enumerate().map(|(n, p)| *p * (a[n % 3] * b[n / 3 % 3] * c[n / 9])).sum()
 }
 
-/// Positions the sections at the ends of arms; returns the fixed positions, and those on the wall.
+/// Positions the sections at the ends of arms; returns the fixed positions, those on the wall, and the faces on it that have one that may move.
 fn boundary(
     cluster: &Cluster,
     tubes: &[Tube],
@@ -107,8 +153,9 @@ fn boundary(
     section: &Section,
     cells: &[[u32; 64]],
     positions: &mut [DVec3],
-) -> (Vec<bool>, Vec<u32>) {
+) -> (Vec<bool>, Vec<u32>, Vec<[u32; 16]>) {
     let mut is_wall = vec![false; positions.len()];
+    let mut on_faces = Vec::new();
     let mut faces: Vec<([u32; 4], usize, usize)> = Vec::new();
     for (index, block) in node.blocks.iter().enumerate() {
         for (face, corners) in FACES.iter().enumerate() {
@@ -120,7 +167,11 @@ fn boundary(
     faces.sort_unstable();
     for run in faces.chunk_by(|a, b| a.0 == b.0).filter(|run| run.len() == 1) {
         let (_, cell, face) = run[0];
-        let (axis, side, _) = pompeiu_volume::FACE_AXES[face];
+        let (axis, side, along) = pompeiu_volume::FACE_AXES[face];
+        let strides = [1, 4, 16];
+        let at =
+            |i: usize, j: usize| 3 * side * strides[axis] + i * strides[along[0]] + j * strides[along[1]];
+        on_faces.push(std::array::from_fn(|k| cells[cell][at(k / 4, k % 4)]));
         for (k, &v) in cells[cell].iter().enumerate() {
             if place_of_64(k)[axis] == 3 * side {
                 is_wall[v as usize] = true;
@@ -152,7 +203,8 @@ fn boundary(
         }
     }
     let on_wall = (0..positions.len()).filter(|&v| is_wall[v] && !fixed[v]).map(|v| v as u32).collect();
-    (fixed, on_wall)
+    on_faces.retain(|face: &[u32; 16]| face.iter().any(|v| !fixed[*v as usize]));
+    (fixed, on_wall, on_faces)
 }
 
 /// Optimises the positions: first removes folds, with an increasing weight of the wall, then improves the least scaled Jacobian.
@@ -177,8 +229,17 @@ fn optimise(
     project(positions);
     let table = lagrange_table(places);
     let shape = Shape::MeanRatio { epsilon: 0.02 };
-    let mut energy =
-        CubicEnergy { cells, free: &free, shape, wall: None, scale, sizes, table: &table, control };
+    let mut energy = CubicEnergy {
+        cells,
+        free: &free,
+        shape,
+        wall: None,
+        skin: None,
+        scale,
+        sizes,
+        table: &table,
+        control,
+    };
     for (epsilon, weight) in [(0.02, 300.0), (0.002, 3000.0), (1e-4, 30_000.0)] {
         energy.shape = Shape::MeanRatio { epsilon };
         energy.wall = Some((wall, on_wall, weight));

@@ -20,7 +20,7 @@ pub(super) struct Energy<'e> {
     /// Middles of faces and edges on the wall, and the weight of their distance from it.
     pub(super) middles: (&'e [Middle], f64),
     /// Faces on the wall whose distance from it counts, not only that of their vertices.
-    pub(super) skin: Option<&'e Skin>,
+    pub(super) skin: Option<&'e Skin<4>>,
     /// The size of the node, which makes steps and distances dimensionless.
     pub(super) scale: f64,
     /// The size of each cell, which makes its energy dimensionless: regularisation is relative to it.

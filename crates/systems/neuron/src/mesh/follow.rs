@@ -26,7 +26,7 @@ pub(super) struct Draft {
 
 /// Distance of the wall from the cones of the tubes beyond which it is drawn to them, in radii: half the default tolerance, because the axes of
 /// tubes may be as far from the samples.
-const NEAR: f64 = 0.1;
+pub(super) const NEAR: f64 = 0.1;
 
 /// Distance beyond which other complexes are tried, which takes many times as long: three quarters of the default tolerance.
 const FAR: f64 = 0.15;
@@ -35,7 +35,13 @@ const FAR: f64 = 0.15;
 const FULL: f64 = 0.35;
 
 /// Scaled Jacobian that no distance outweighs.
-const LEAST: f64 = 0.2;
+const LEAST: f64 = 0.1;
+
+/// Scaled Jacobian below which a mesh is less fit by [`LOW`]: only a wall that is much nearer outweighs that.
+const MODEST: f64 = 0.2;
+
+/// See [`MODEST`].
+const LOW: f64 = 0.15;
 
 /// What makes a draft less fit than all with a larger scaled Jacobian.
 const FOLDED: f64 = 1e3;
@@ -44,14 +50,16 @@ const FOLDED: f64 = 1e3;
 const PER_RADIUS: f64 = 2.0;
 
 /// Weights of the distance of the wall beside the energy of a cell.
-const WEIGHTS: [f64; 3] = [1.0, 10.0, 100.0];
+pub(super) const WEIGHTS: [f64; 3] = [1.0, 10.0, 100.0];
 
 /// Energies that are minimised one after another, with factors of these weights: they grow with the energies.
-const SHAPES: [(Shape, f64); 3] = [
-    (Shape::MeanRatio { epsilon: EPSILON }, 1.0),
-    (Shape::Scaled { power: 2 }, 3.0),
-    (Shape::Scaled { power: 4 }, 10.0),
-];
+pub(super) fn shapes() -> [(Shape, f64); 3] {
+    [
+        (Shape::MeanRatio { epsilon: EPSILON }, 1.0),
+        (Shape::Scaled { power: 2 }, 3.0),
+        (Shape::Scaled { power: 4 }, 10.0),
+    ]
+}
 
 /// Regularisation of the determinants of cells, none of which is folded.
 const EPSILON: f64 = 1e-6;
@@ -59,12 +67,20 @@ const EPSILON: f64 = 1e-6;
 /// Most steps of each minimisation.
 const STEPS: usize = 60;
 
+/// How good a mesh with this least scaled Jacobian is whose wall is so far from the cones. Nearly folded ones are less fit than all others.
+pub(super) fn fitness(quality: f64, off: f64) -> f64 {
+    let lost = match quality {
+        _ if quality < LEAST => FOLDED,
+        _ if quality < MODEST => LOW,
+        _ => 0.0,
+    };
+    quality.min(FULL) - PER_RADIUS * (off - NEAR).max(0.0) - lost
+}
+
 impl Draft {
     /// How good it is: its least scaled Jacobian, less what its distance costs. Nearly folded ones are less fit than all others.
     pub(super) fn fitness(&self) -> f64 {
-        let quality = self.node.quality;
-        let lost = if quality < LEAST { FOLDED } else { 0.0 };
-        quality.min(FULL) - PER_RADIUS * (self.off - NEAR).max(0.0) - lost
+        fitness(self.node.quality, self.off)
     }
 
     pub(super) fn is_near(&self) -> bool {
@@ -82,7 +98,7 @@ impl Draft {
     pub(super) fn follow(&mut self, cones: &Wall, control: &Control) {
         let mut draft = self.clone();
         for weight in WEIGHTS {
-            for (shape, factor) in SHAPES {
+            for (shape, factor) in shapes() {
                 draft.relax(cones, shape, weight * factor, control);
             }
             if control.is_stopped() {

@@ -1,5 +1,6 @@
 //! The wall around a node: a smooth union of the tubes that meet there.
 
+use super::least_shift::{Half, facing_of, least_shift};
 use crate::RoundCone;
 use crate::cone::MeasuredCone;
 use glam::DVec3;
@@ -43,6 +44,35 @@ impl Wall {
     ///
     /// It is below the least distance by at most `k log n`, so the wall expands by at most that.
     pub(super) fn distance(&self, p: DVec3) -> (f64, DVec3) {
+        self.of_groups(p, |found| self.blended(p, found))
+    }
+
+    /// The signed distance that is to be closed where the wall of a mesh is at `p`, and its gradient: outside of the cones that from their smooth
+    /// union; inside, how far the point has to be moved to leave all of them, not only the nearest one, if their surfaces are planes.
+    pub(super) fn way(&self, p: DVec3) -> (f64, DVec3) {
+        self.of_groups(p, |found| {
+            let deepest =
+                found.iter().fold((f64::INFINITY, DVec3::ZERO), |a, b| if b.0 < a.0 { *b } else { a });
+            if deepest.0 >= 0.0 {
+                return self.blended(p, found);
+            }
+            let outwards = (p - deepest.1).normalize_or_zero();
+            let alone = (deepest.0, outwards);
+            if found.iter().all(|(distance, _)| *distance >= -deepest.0 || *distance == deepest.0) {
+                return alone;
+            }
+            let half = |&(distance, centre): &(f64, DVec3)| ((p - centre).normalize_or_zero(), -distance);
+            let halves: Vec<Half> = found.iter().map(half).collect();
+            let most = FARTHEST * self.radius(p);
+            match least_shift(&halves) {
+                Some(shift) => (-shift.length().min(most), shift.normalize_or(outwards)),
+                None => alone,
+            }
+        })
+    }
+
+    /// Calls a function with the distance of a point from the nearest cone of each group, and the centre of the ball next to it.
+    fn of_groups<R>(&self, p: DVec3, function: impl FnOnce(&[(f64, DVec3)]) -> R) -> R {
         let (mut few, mut many) = ([(0.0, DVec3::ZERO); FEW], Vec::new());
         let found = if let Some(found) = few.get_mut(..self.groups.len()) {
             found
@@ -50,7 +80,6 @@ impl Wall {
             many.resize(self.groups.len(), (0.0, DVec3::ZERO));
             &mut many[..]
         };
-        let mut nearest = f64::INFINITY;
         for (group, best) in self.groups.iter().zip(&mut *found) {
             *best = (f64::INFINITY, DVec3::ZERO);
             for cone in group {
@@ -59,10 +88,14 @@ impl Wall {
                     *best = (distance, cone.shape.ends[0].lerp(cone.shape.ends[1], t));
                 }
             }
-            nearest = nearest.min(best.0);
         }
+        function(found)
+    }
+
+    fn blended(&self, p: DVec3, found: &[(f64, DVec3)]) -> (f64, DVec3) {
+        let nearest = found.iter().map(|(distance, _)| *distance).fold(f64::INFINITY, f64::min);
         let (mut sum, mut gradient) = (0.0, DVec3::ZERO);
-        for &(distance, centre) in &*found {
+        for &(distance, centre) in found {
             if distance - nearest > self.range() {
                 continue;
             }
@@ -162,24 +195,64 @@ impl Wall {
         least
     }
 
-    /// The length of a move that leaves all cones: out of those that the point is in, the deepest first.
+    /// The length of a short move that leaves all cones: the shortest one into half-spaces beyond the nearest cone of each group, those where
+    /// it ends; also to both sides of the crotch of a fork.
     pub(super) fn way_out(&self, p: DVec3) -> f64 {
-        let mut shift = DVec3::ZERO;
-        for _ in 0..MOST_MOVES {
-            let mut deepest = (-LEFT * self.blend, DVec3::ZERO);
-            for cone in self.groups.iter().flatten() {
-                let (distance, t) = cone.distance(p + shift);
-                if distance < deepest.0 {
-                    let centre = cone.shape.ends[0].lerp(cone.shape.ends[1], t);
-                    deepest = (distance, (p + shift - centre).normalize_or_zero());
+        let alone = self.of_groups(p, |found| {
+            let least = found.iter().map(|(distance, _)| *distance).fold(f64::INFINITY, f64::min);
+            let others = found.iter().filter(|(distance, _)| *distance < -least).count();
+            (others < 2).then_some(-least)
+        });
+        if let Some(depth) = alone {
+            return depth.max(0.0);
+        }
+        let halves = self.halves(p, DVec3::ZERO);
+        let deepest = halves.iter().map(|(_, offset)| *offset).fold(0.0, f64::max);
+        let least = self.way_out_from(p, DVec3::ZERO, deepest);
+        let most = FARTHEST * self.radius(p);
+        if least <= deepest * (1.0 + LEFT) {
+            return least.min(most);
+        }
+        let across = facing_of(&halves).map_or(DVec3::ZERO, |[a, b]| a.cross(b).normalize_or_zero());
+        // As far as the surface of a tube is from a point at this depth, along its circumference.
+        let aside = across * (2.0 * deepest * self.radius(p)).sqrt();
+        [aside, -aside]
+            .into_iter()
+            .map(|first| self.way_out_from(p, first, deepest))
+            .fold(least.min(most), f64::min)
+    }
+
+    /// The half-spaces beyond the nearest cone of each group to `p` moved by `shift`, for moves of `p`.
+    fn halves(&self, p: DVec3, shift: DVec3) -> Vec<Half> {
+        self.of_groups(p + shift, |found| {
+            let half = |&(distance, centre): &(f64, DVec3)| {
+                let normal = (p + shift - centre).normalize_or_zero();
+                (normal, normal.dot(shift) - distance)
+            };
+            found.iter().map(half).collect()
+        })
+    }
+
+    fn way_out_from(&self, p: DVec3, first: DVec3, deepest: f64) -> f64 {
+        let (mut shift, mut least) = (first, f64::INFINITY);
+        for step in 0..MOST_MOVES {
+            let halves = self.halves(p, shift);
+            let is_out =
+                halves.iter().all(|(normal, offset)| offset - normal.dot(shift) <= LEFT * self.blend);
+            if is_out && (step > 0 || first == DVec3::ZERO) {
+                let length = shift.length();
+                let is_less = length < NOTABLY * least;
+                least = least.min(length);
+                if !is_less {
+                    break;
                 }
             }
-            if deepest.1 == DVec3::ZERO {
-                break;
+            match least_shift(&halves).filter(|found| found.length() <= LONGEST * deepest) {
+                Some(found) => shift = found,
+                None => break,
             }
-            shift -= deepest.1 * deepest.0;
         }
-        shift.length()
+        least
     }
 
     /// Where a ray from inside intersects the wall.
@@ -238,20 +311,35 @@ impl NearWalls {
 
     /// The distance of the point with this number from the wall.
     pub(super) fn distance(&mut self, index: usize, wall: &Wall, p: DVec3) -> (f64, DVec3) {
+        self.near(index, wall, p).distance(p)
+    }
+
+    /// [`Wall::way`] of the point with this number.
+    pub(super) fn way(&mut self, index: usize, wall: &Wall, p: DVec3) -> (f64, DVec3) {
+        self.near(index, wall, p).way(p)
+    }
+
+    fn near(&mut self, index: usize, wall: &Wall, p: DVec3) -> &Wall {
         let near = &mut self.0[index];
         let is_known = p.distance(near.centre) <= near.reach;
         if !is_known {
             let reach = REACH * wall.radius(p);
             *near = NearWall { centre: p, reach, wall: wall.near(p, reach) };
         }
-        near.wall.distance(p)
+        &near.wall
     }
 }
 
 /// Width of the blend of the wall that is followed, over that of the wall in the beginning.
 const SHARPER: f64 = 0.4;
-/// Moves out of cones.
-const MOST_MOVES: usize = 24;
+/// Most steps of a move out of cones.
+const MOST_MOVES: usize = 12;
+/// A move that is no shorter than this share of the one before is not improved.
+const NOTABLY: f64 = 0.99;
+/// Longest move into half-spaces, relative to the one into the farthest of them: those of nearly opposite normals meet far away.
+const LONGEST: f64 = 20.0;
+/// Greatest distance that is to be closed, in radii: along a crotch at a small angle it may be much greater than the depth in a cone.
+const FARTHEST: f64 = 2.0;
 /// Depth in a cone up to which a point has left it, in widths of the blend.
 const LEFT: f64 = 0.02;
 /// Distance from a cone up to which a point is near it, in radii.

@@ -272,6 +272,16 @@ fn distances_in_the_crotches_of_forks_are_enclosed() {
     narrow(tricubic.report.wall.as_ref().unwrap());
 }
 
+/// It was .52 to .68 radii off where only the points that cells interpolate were on the wall.
+#[test]
+fn walls_of_tricubic_cells_follow_the_crotches_of_forks() {
+    let text = forked(30.0);
+    let found = cubic_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+    assert!(found.certified);
+    let wall = found.wall.unwrap();
+    assert_eq!(wall.is_within(), Some(true), "{:?}", wall.wall_to_cones);
+}
+
 #[test]
 fn smoothed_skeletons_are_compared_with_the_file() {
     // A zigzag of 0.8 radii that smoothing removes.

@@ -2,6 +2,7 @@
 
 use super::boxes::Boxes;
 use crate::cone::MeasuredCone;
+use crate::mesh::least_shift::{Half, facing_of, least_shift};
 use crate::mesh::tube::is_ball;
 use crate::{RoundCone, Skeleton};
 use glam::DVec3;
@@ -188,29 +189,94 @@ impl Solid {
     /// The length of a move by which all points of a convex hull around `centre` leave the union; infinite if none was found. 0 if they
     /// are outside.
     ///
-    /// The move is projected onto the half-spaces beyond the cones that the points are in, the deepest first.
+    /// The move is the shortest one into half-spaces beyond the cones that the points are in. Where these are several, as in the crotch of a
+    /// fork, the half-spaces are those at the place where it ends, and straight moves along the crotch and to its sides are tried.
     pub(super) fn exit(&self, hull: &[DVec3], centre: DVec3, reach: f64) -> f64 {
-        let mut shift = DVec3::ZERO;
-        for step in 0..MOST_MOVES {
-            let moved = centre + shift;
-            let mut deepest = (0.0, DVec3::ZERO);
-            self.near(moved, reach, |cone| {
-                let normal = cone.outwards(moved, cone.distance(moved).1);
-                let missing = self.rounding - cone.beyond(hull, shift, normal);
-                if missing > deepest.0 {
-                    deepest = (missing, normal);
-                }
-            });
-            if deepest.0 <= 0.0 {
-                return shift.length();
+        let (mut least, facing) = self.leave(hull, (centre, reach), DVec3::ZERO);
+        if let Some([a, b]) = facing.filter(|[a, b]| a.dot(*b) < FACING) {
+            let (along, across) = ((a + b).normalize_or_zero(), a.cross(b).normalize_or_zero());
+            let sides = [along, across, -across, along + across, along - across];
+            let straight = sides.into_iter().filter_map(DVec3::try_normalize);
+            let straight = straight.map(|side| (self.straight_exit(hull, centre, reach, side), side));
+            if let Some((length, side)) = straight.min_by(|a, b| a.0.total_cmp(&b.0))
+                && length.is_finite()
+            {
+                least = least.min(length).min(self.leave(hull, (centre, reach), side * length).0);
             }
-            shift += deepest.1 * (deepest.0 * (1.0 + EXCESS * f64::from(step)));
+        }
+        if least.is_finite() {
+            return least;
         }
         // Straight moves, where the projections do not end.
         let sides =
             (0..27).map(|k| DVec3::new(f64::from(k % 3), f64::from(k / 3 % 3), f64::from(k / 9)) - 1.0);
-        let straight = sides.chain([shift]).filter_map(DVec3::try_normalize);
+        let straight = sides.filter_map(DVec3::try_normalize);
         straight.map(|along| self.straight_exit(hull, centre, reach, along)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The length of a move as [`Solid::exit`]'s, sought from a first one; and where it leaves several cones at once, the normals
+    /// of those that face each other most.
+    fn leave(
+        &self,
+        hull: &[DVec3],
+        (centre, reach): (DVec3, f64),
+        first: DVec3,
+    ) -> (f64, Option<[DVec3; 2]>) {
+        let (mut shift, mut least, mut facing) = (first, f64::INFINITY, None);
+        let mut halves: Vec<Half> = Vec::new();
+        let mut cones: Vec<u32> = Vec::new();
+        if first != DVec3::ZERO {
+            // Where the first move ends, they may be left already.
+            self.boxes.visit(centre, reach, |index| {
+                cones.push(index);
+                reach
+            });
+            halves = vec![(DVec3::ZERO, 0.0); cones.len()];
+        }
+        for step in 0..MOST_MOVES {
+            let moved = centre + shift;
+            let half = |index: u32| {
+                let cone = &self.cones[index as usize];
+                let normal = cone.outwards(moved, cone.distance(moved).1);
+                (normal, self.rounding - cone.beyond(hull, DVec3::ZERO, normal))
+            };
+            // The half-spaces for which the move was made, and those beyond all other cones.
+            let mut is_out = halves.iter().all(|(normal, offset)| normal.dot(shift) >= *offset);
+            self.boxes.visit(moved, reach, |index| {
+                if !cones.contains(&index) {
+                    let (normal, offset) = half(index);
+                    if normal.dot(shift) < offset {
+                        is_out = false;
+                        cones.push(index);
+                        halves.push((normal, offset));
+                    }
+                }
+                reach
+            });
+            // A first move only says where to look.
+            if is_out && (step > 0 || first == DVec3::ZERO) {
+                let length = shift.length();
+                let is_less = length < NOTABLY * least;
+                least = least.min(length);
+                if halves.len() < 2 || !is_less {
+                    break;
+                }
+            }
+            for (known, index) in halves.iter_mut().zip(&cones) {
+                *known = half(*index);
+            }
+            if facing.is_none() {
+                facing = facing_of(&halves);
+            }
+            let deepest = halves.iter().map(|(_, offset)| *offset).fold(0.0, f64::max);
+            let wider: Vec<Half> =
+                halves.iter().map(|(normal, offset)| (*normal, offset + EXCESS * deepest)).collect();
+            match least_shift(&wider).filter(|found| found.length() <= FARTHEST * deepest) {
+                Some(found) => shift = found,
+                None => break,
+            }
+        }
+        (least, facing)
     }
 
     /// The length of a move along a unit vector by which all points of a convex hull around `centre` leave the union.
@@ -237,11 +303,20 @@ impl Solid {
 /// Least cosine between a straight move and the normal of a cone: it bounds the length of steps.
 const LEAST_COSINE: f64 = 0.2;
 
-/// Most projections of a move.
-const MOST_MOVES: u32 = 48;
+/// Most steps of a move.
+const MOST_MOVES: u32 = 16;
 
-/// By how much more a move is projected with each step, so that it ends after finitely many between slanted half-spaces.
-const EXCESS: f64 = 0.01;
+/// By how much farther half-spaces are taken to be, relative to the farthest one, so that rounding does not leave a move short.
+const EXCESS: f64 = 1e-7;
+
+/// A move that is no shorter than this share of the one before is not improved.
+const NOTABLY: f64 = 0.99;
+
+/// Cosine between normals below which cones form a crotch; consecutive cones of a tube have nearly the same normals.
+const FACING: f64 = 0.5;
+
+/// Longest move into half-spaces, relative to the one into the farthest of them: those of nearly opposite normals meet far away.
+const FARTHEST: f64 = 20.0;
 
 #[cfg(test)]
 mod tests {
@@ -257,5 +332,29 @@ mod tests {
         // Beside a lateral surface, the nearest balls are smaller.
         let tapered = cone(1.5);
         assert!(tapered.least_radius(tapered.distance(p).1, 0.1) < 0.5);
+    }
+
+    /// The crotch of two rods at 20 degrees is a half ellipse whose axes are their radius over the sine of 10 degrees, and their radius.
+    #[test]
+    fn the_way_out_of_a_crotch_is_the_shortest() {
+        let half = 10.0_f64.to_radians();
+        let rod = |side: f64| {
+            let end = DVec3::new(libm::cos(half), side * libm::sin(half), 0.0) * 20.0;
+            Cone::new(RoundCone { ends: [DVec3::ZERO, end], radii: [1.0; 2] }, [0, 1])
+        };
+        let cones = vec![rod(1.0), rod(-1.0)];
+        let boxes: Vec<[DVec3; 2]> = cones.iter().map(|cone| cone.shape.bounds()).collect();
+        let solid = Solid { cones, boxes: Boxes::new(&boxes), rounding: 1e-12 };
+        let long = 1.0 / libm::sin(half);
+        for (x, z) in [(5.0, 0.0), (4.0, 0.0), (4.0, 0.3), (5.5, 0.1), (2.0, 0.5), (5.7, 0.0)] {
+            let from_ellipse = |k: i32| {
+                let angle = 1e-3 * f64::from(k);
+                (x - long * libm::cos(angle)).hypot(z - libm::sin(angle))
+            };
+            let least = (-1571..=1571).map(from_ellipse).fold(f64::INFINITY, f64::min);
+            let p = DVec3::new(x, 0.0, z);
+            let found = solid.exit(&[p], p, 1e-9);
+            assert!((found - least).abs() < 0.02 * least, "{p}: {found}, not {least}");
+        }
     }
 }
