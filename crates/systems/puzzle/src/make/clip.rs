@@ -12,7 +12,8 @@ const SLIVER: f64 = 0.3;
 /// The parts of cells inside an outline and outside of whimsies, and the whimsies, as a puzzle without tabs. The outline must lie
 /// inside the rectangle of the cells.
 ///
-/// Where borders meet the outline, it gets a corner on the lattice, less than a step from its side.
+/// Where borders meet the outline, it gets a corner on the lattice, less than a step from its side. With more than `most` parts the smallest are
+/// merged with neighbours.
 ///
 /// # Errors
 /// [`PuzzleError::Narrow`] if a border passes through a corner of the outline, or parts are too narrow for the lattice: moving the
@@ -21,6 +22,7 @@ pub(super) fn within(
     cells: &Puzzle,
     outline: &[Corner],
     whimsies: &[Vec<Corner>],
+    most: usize,
 ) -> Result<Puzzle, PuzzleError> {
     let inner = cells.borders.iter().filter(|border| border.right.is_some());
     let segments = inner.map(|border| [border.corners[0], border.corners[1]]);
@@ -28,8 +30,8 @@ pub(super) fn within(
     let mut faces = graph.faces()?;
     while faces.len() > 2 {
         let mean = faces.iter().map(|face| face.doubled as f64).sum::<f64>() / faces.len() as f64;
-        let is_small =
-            |f: &usize| (faces[*f].doubled as f64) < SLIVER * mean && graph.whimsy(&faces[*f]).is_none();
+        let is_one_too_many = |f: &usize| faces.len() > most || (faces[*f].doubled as f64) < SLIVER * mean;
+        let is_small = |f: &usize| is_one_too_many(f) && graph.whimsy(&faces[*f]).is_none();
         let mut small: Vec<usize> = (0..faces.len()).filter(is_small).collect();
         small.sort_by_key(|f| faces[*f].doubled);
         // A face between whimsies alone stays a piece.

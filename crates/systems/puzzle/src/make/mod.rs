@@ -104,13 +104,13 @@ const ROUNDS: usize = 12;
 ///
 /// # Definition
 /// A grid uses the factorisation of the number of pieces into rows × columns with the squarest cells. Hexagons use the rows and
-/// columns that come nearest to regular hexagons, so their number can differ. Each border gets one tab where one fits without
+/// columns that come nearest to regular hexagons among those whose number differs by about a tenth at most. Each border gets one tab where one fits without
 /// crossing a border or leaving a neck below the least width ([`Puzzle::neck`]): on a side and at a position chosen by the seed,
 /// otherwise on the other side, elsewhere, or smaller. Necks of the cells themselves, where an outline is narrow,
 /// stay.
 ///
 /// An outline that is a rectangle with sides along the axes has the pieces of that rectangle. Within others, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour; of a few numbers
-/// of cells, the one whose number of pieces comes nearest is taken. The outline gets corners where borders meet it, less than a lattice step away.
+/// of cells, the one whose number of pieces comes nearest is taken; where all are far too many, as for a comb, the smallest parts are merged. The outline gets corners where borders meet it, less than a lattice step away.
 ///
 /// Whimsies are cut out of the cells; their borders get a tab only where nothing else holds them.
 ///
@@ -246,6 +246,10 @@ const PARTITIONS: usize = 20;
 const FEWEST_PARTITIONS: usize = 5;
 const PARTITIONED: usize = 4000;
 
+/// A number of pieces that is so much too great, relative to the one asked for, after half of the partitions: cells of an outline with many thin parts
+/// fall apart, however few they are. Their smallest parts are merged then.
+const MANY: f64 = 1.15;
+
 /// The step of further numbers of cells, relative to the number that gives as many pieces as asked for.
 const FURTHER: f64 = 0.02;
 
@@ -303,12 +307,12 @@ impl Shaped {
         }
     }
 
-    /// The parts of about so many cells within the outline. When the control stops, cells are less regular.
+    /// The parts of about so many cells within the outline, at most so many. When the control stops, cells are less regular.
     fn parts(
         &self,
         cells: (Layout, usize),
         shift: Point,
-        whimsies: &[Vec<Corner>],
+        (whimsies, most): (&[Vec<Corner>], usize),
         random: &mut Random,
         control: &Control,
     ) -> Result<Puzzle, PuzzleError> {
@@ -316,7 +320,7 @@ impl Shaped {
         let mut sites = self.sites(cells, shift, random);
         let rounds = if cells.0 == Layout::Voronoi { ROUNDS } else { 0 };
         for _ in 0..rounds {
-            let parts = cut(&mut sites, self.size, self.step, (&self.corners, &[]), unit, random)?;
+            let parts = cut(&mut sites, self.size, self.step, (&self.corners, &[], most), unit, random)?;
             if control.is_stopped() && whimsies.is_empty() {
                 return Ok(parts);
             }
@@ -325,7 +329,7 @@ impl Shaped {
             }
             sites = parts.centroids();
         }
-        cut(&mut sites, self.size, self.step, (&self.corners, whimsies), unit, random)
+        cut(&mut sites, self.size, self.step, (&self.corners, whimsies, most), unit, random)
     }
 }
 
@@ -347,7 +351,9 @@ fn shaped(
     // The number of cells that gives the number of pieces, and the number that is tried.
     let (mut cells, mut count, mut shift) = (asked, options.pieces, [0.0; 2]);
     for k in 1..=most {
-        match shape.parts((options.layout, count), shift, &whimsies, random, control) {
+        let is_too_many = |(_, parts): &(f64, Puzzle)| 2 * k > most && parts.pieces() as f64 > MANY * asked;
+        let most_parts = if best.as_ref().is_some_and(is_too_many) { options.pieces } else { usize::MAX };
+        match shape.parts((options.layout, count), shift, (&whimsies, most_parts), random, control) {
             Ok(parts) => {
                 let ratio = parts.pieces() as f64 / asked;
                 let missed = COUNTS * (libm::log(ratio).abs() - NEAR).max(0.0) + lacking(&parts, options);
@@ -384,13 +390,14 @@ fn cut(
     sites: &mut [Point],
     size: [f64; 2],
     step: f64,
-    (outline, whimsies): (&[Corner], &[Vec<Corner>]),
+    (outline, whimsies, most): (&[Corner], &[Vec<Corner>], usize),
     unit: f64,
     random: &mut Random,
 ) -> Result<Puzzle, PuzzleError> {
     let mut found = Err(PuzzleError::Narrow { piece: 0 });
     for _ in 0..TRIES {
-        found = cells::partition(sites, size, step).and_then(|cells| clip::within(&cells, outline, whimsies));
+        found = cells::partition(sites, size, step)
+            .and_then(|cells| clip::within(&cells, outline, whimsies, most));
         if found.is_ok() {
             break;
         }
@@ -428,10 +435,20 @@ fn lattice([width, height]: [f64; 2], columns: usize, rows: usize) -> Vec<Point>
     (0..rows).flat_map(|r| (0..columns).map(move |c| [at(c, columns, width), at(r, rows, height)])).collect()
 }
 
+/// How much a deviation from the number of hexagons counts beside one from regular ones, and the deviation that does not count.
+const COUNTS_OF_HEXAGONS: f64 = 4.0;
+const FREE: f64 = 0.1;
+
 fn hexagons([width, height]: [f64; 2], pieces: usize) -> Vec<Point> {
     // The distance of rows is √3/2 of the distance of neighbours.
-    let rows = (pieces as f64 * height / width * 2.0 / 3.0_f64.sqrt()).sqrt().round().max(1.0) as usize;
-    let columns = (pieces as f64 / rows as f64).round().max(1.0) as usize;
+    let regular = (pieces as f64 * height / width * 2.0 / 3.0_f64.sqrt()).sqrt();
+    let columns_of = |rows: usize| (pieces as f64 / rows as f64).round().max(1.0) as usize;
+    let missed = |rows: usize| {
+        let off = libm::log((rows * columns_of(rows)) as f64 / pieces as f64).abs();
+        COUNTS_OF_HEXAGONS * (off - FREE).max(0.0) + (rows as f64 - regular).abs() / regular
+    };
+    let rows = (1..=pieces).min_by(|a, b| missed(*a).total_cmp(&missed(*b))).unwrap_or(1);
+    let columns = columns_of(rows);
     let y = |r: usize| height * (2 * r + 1) as f64 / (2 * rows) as f64;
     let x = |r: usize, c: usize| width * ((4 * c + 1 + 2 * (r % 2)) as f64) / ((4 * columns) as f64);
     (0..rows).flat_map(|r| (0..columns).map(move |c| [x(r, c), y(r)])).collect()

@@ -63,6 +63,43 @@ fn each_segment_belongs_to_two_pieces_bit_by_bit_or_to_the_outline() {
     }
 }
 
+/// A bar with thin teeth, which cells cut into many parts; and strips that are much longer than two regular hexagons.
+#[test]
+fn about_as_many_pieces_as_asked_for_whatever_the_shape() {
+    let mut points = vec![[0.0, 0.0], [240.0, 0.0]];
+    for tooth in (0..12).rev() {
+        let x = 20.0 * f64::from(tooth);
+        points.extend([[x + 12.0, 30.0], [x + 12.0, 160.0], [x + 6.0, 160.0], [x + 6.0, 30.0]]);
+    }
+    points[2][0] = 240.0;
+    points.extend([[0.0, 30.0]]);
+    points.insert(2, [240.0, 30.0]);
+    points[3][0] = 232.0;
+    let comb = Outline::new(points).unwrap();
+    for layout in LAYOUTS {
+        for pieces in [12, 40] {
+            let options = PuzzleOptions {
+                layout,
+                pieces,
+                tab: Tab::None,
+                outline: Some(comb.clone()),
+                size: [240.0, 160.0],
+                ..PuzzleOptions::default()
+            };
+            let found = make(&options).unwrap().pieces();
+            assert!(10 * found.abs_diff(pieces) <= 2 * pieces, "{layout:?}: {found} of {pieces}");
+        }
+    }
+    for size in [[10.0, 150.0], [150.0, 10.0], [10.0, 40.0]] {
+        for pieces in [2, 3, 7] {
+            let options =
+                PuzzleOptions { layout: Layout::Hexagons, pieces, size, ..PuzzleOptions::default() };
+            let found = make(&options).unwrap().pieces();
+            assert!(found.abs_diff(pieces) <= 1, "{size:?}: {found} of {pieces}");
+        }
+    }
+}
+
 #[test]
 fn puzzles_without_tabs_are_free_and_those_with_tabs_locked() {
     for layout in LAYOUTS {
