@@ -162,7 +162,7 @@ impl Winding {
             if number.error <= error {
                 return number;
             }
-            // The sum of errors falls at least as fast as the greatest; groups at which it is that are as good as none are summed individually.
+            // As a rule the sum of all errors falls as fast as the greatest one.
             most = if most > LEAST_ERROR { most * 0.5 * error / number.error } else { -1.0 };
         }
     }
