@@ -71,6 +71,7 @@ pub(super) fn follow(
         }
     }
     for weight in WEIGHTS {
+        let mut is_moved = false;
         for (shape, factor) in shapes() {
             let mut found = step(&state, few, (shape, weight * factor));
             if !found.certified {
@@ -81,12 +82,14 @@ pub(super) fn follow(
             }
             if found.certified {
                 state = found;
+                is_moved = true;
             }
             if state.fitness() > best.fitness() {
                 best = state.clone();
             }
         }
-        if !state.certified || state.off <= NEAR {
+        // Cells that fold fold with a greater weight as well.
+        if !is_moved || state.off <= NEAR {
             break;
         }
     }
