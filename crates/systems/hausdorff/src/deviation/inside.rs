@@ -23,7 +23,7 @@ use pompeiu_core::spatial::{Bvh, Nearest, Slot, Winding, Workspace, self_interse
 use rayon::prelude::*;
 
 /// Pairs of faces that may intersect, as a part of all faces; with more the winding number decides everywhere.
-pub(super) const MOST_INTERSECTING: f64 = 0.05;
+const MOST_INTERSECTING: f64 = 0.05;
 /// Faces of a set that are tried until a point beside one of them has no other face near, and how far from the face that point is, as parts
 /// of the longest edge.
 const TRIALS: usize = 4;
@@ -68,13 +68,13 @@ pub(super) struct Scratch {
 
 /// Pairs of neighbours across edges; none unless the surface is closed and oriented: each edge is passed as often one way as the other.
 pub(super) fn neighbours(mesh: &TriMesh) -> Option<Vec<[u32; 2]>> {
-    let (pairs, is_closed) = pairs(mesh);
+    let (pairs, is_closed) = pairs(mesh, &places(mesh));
     is_closed.then_some(pairs)
 }
 
-/// Pairs of neighbours across edges of two faces that pass them in opposite directions, and whether the surface is closed and oriented.
-pub(super) fn pairs(mesh: &TriMesh) -> (Vec<[u32; 2]>, bool) {
-    let place = places(mesh);
+/// Pairs of neighbours across edges of two faces that pass them in opposite directions, and whether the surface is closed and oriented. `place` is
+/// that of each vertex ([`places`]).
+pub(super) fn pairs(mesh: &TriMesh, place: &[u32]) -> (Vec<[u32; 2]>, bool) {
     let mut halves: Vec<(u32, u32, u32, bool)> = (mesh.faces().par_iter().enumerate())
         .flat_map_iter(|(face, corners)| {
             let [a, b, c] = corners.map(|v| place[v as usize]);
@@ -95,6 +95,24 @@ pub(super) fn pairs(mesh: &TriMesh) -> (Vec<[u32; 2]>, bool) {
     (pairs, is_closed)
 }
 
+/// Which faces intersect others; none if many do, or if the control stops.
+pub(super) fn intersecting(
+    mesh: &TriMesh,
+    (bvh, frame): (&Bvh, &Frame),
+    control: &Control,
+) -> Option<Vec<bool>> {
+    let most = (MOST_INTERSECTING * mesh.faces().len() as f64) as usize;
+    let found = self_intersections_in(mesh, (bvh, frame), most, control);
+    if control.is_stopped() || !found.complete {
+        return None;
+    }
+    let mut intersects = vec![false; mesh.faces().len()];
+    for face in found.pairs.iter().flat_map(|pair| pair.faces) {
+        intersects[face.index()] = true;
+    }
+    Some(intersects)
+}
+
 impl<'t> Inside<'t> {
     /// Whether a winding number of a closed surface is that of a point inside.
     pub(super) fn is_inside(winding: f64) -> bool {
@@ -109,8 +127,7 @@ impl<'t> Inside<'t> {
         rounding: Rounding,
         control: &Control,
     ) -> Option<Self> {
-        let most = (MOST_INTERSECTING * mesh.faces().len() as f64) as usize;
-        let found = self_intersections_in(mesh, (bvh, frame), most, control);
+        let intersects = intersecting(mesh, (bvh, frame), control);
         if control.is_stopped() {
             return None;
         }
@@ -123,14 +140,10 @@ impl<'t> Inside<'t> {
             slack: 4.0 * rounding.bound(0),
             touching: 2.0 * rounding.bound(super::face::MOST_CUTS),
         };
-        if !found.complete {
+        let Some(intersects) = intersects else {
             inside.winding = Some(Winding::new(mesh));
             return Some(inside);
-        }
-        let mut intersects = vec![false; mesh.faces().len()];
-        for face in found.pairs.iter().flat_map(|pair| pair.faces) {
-            intersects[face.index()] = true;
-        }
+        };
         let firsts = inside.divide(mesh, neighbours, &intersects);
         inside.number(mesh, &firsts);
         Some(inside)

@@ -10,13 +10,13 @@
 
 use super::boundary::Boundary;
 use super::connected::places;
-use super::inside::{MOST_INTERSECTING, Scratch, Side, away_from, pairs, side_of};
+use super::inside::{Scratch, Side, away_from, intersecting, pairs, side_of};
 use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Nearest, Slot, Winding, WindingNumber, self_intersections_in};
+use pompeiu_core::spatial::{Bvh, Nearest, Slot, Winding, WindingNumber};
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
@@ -70,18 +70,10 @@ impl<'t> Patches<'t> {
         rounding: Rounding,
         control: &Control,
     ) -> Option<Self> {
-        let faces = mesh.faces().len() as f64;
-        if boundary.len() as f64 > MOST_OPEN * faces {
+        if boundary.len() as f64 > MOST_OPEN * mesh.faces().len() as f64 {
             return None;
         }
-        let found = self_intersections_in(mesh, (bvh, frame), (MOST_INTERSECTING * faces) as usize, control);
-        if control.is_stopped() || !found.complete {
-            return None;
-        }
-        let mut intersects = vec![false; mesh.faces().len()];
-        for face in found.pairs.iter().flat_map(|pair| pair.faces) {
-            intersects[face.index()] = true;
-        }
+        let intersects = intersecting(mesh, (bvh, frame), control)?;
         let mut open = Self {
             bvh,
             is_sheet: winding.is_sheet(),
@@ -206,15 +198,16 @@ impl<'g> Ground<'g> {
         for slot in bvh.slots() {
             slot_of[bvh.face(slot).index()] = slot;
         }
+        let place = places(mesh);
         let mut beside = vec![[NONE; 3]; count];
-        for [one, two] in pairs(mesh).0 {
+        for [one, two] in pairs(mesh, &place).0 {
             for (face, other) in [(one, two), (two, one)] {
                 if let Some(free) = beside[face as usize].iter_mut().find(|place| **place == NONE) {
                     *free = other;
                 }
             }
         }
-        Self { mesh, bvh, boundary, intersects, place: places(mesh), slot_of, beside }
+        Self { mesh, bvh, boundary, intersects, place, slot_of, beside }
     }
 
     /// A patch that grows from its first face to neighbours, as long as the number changes little on the way there.

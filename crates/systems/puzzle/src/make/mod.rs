@@ -104,7 +104,7 @@ const ROUNDS: usize = 12;
 ///
 /// # Definition
 /// A grid uses the factorisation of the number of pieces into rows × columns with the squarest cells. Hexagons use the rows and
-/// columns that come nearest to regular hexagons among those whose number differs by about a tenth at most. Each border gets one tab where one fits without
+/// columns that come nearest to regular hexagons; a number of pieces that is off by more than a tenth counts four times as much. Each border gets one tab where one fits without
 /// crossing a border or leaving a neck below the least width ([`Puzzle::neck`]): on a side and at a position chosen by the seed,
 /// otherwise on the other side, elsewhere, or smaller. Necks of the cells themselves, where an outline is narrow,
 /// stay.
