@@ -136,16 +136,3 @@ fn peaks(values: &[f64], prominence: f64) -> usize {
     }
     count
 }
-
-#[cfg(test)]
-mod tests {
-    use super::peaks;
-
-    #[test]
-    fn peaks_stand_out_on_both_sides() {
-        assert_eq!(peaks(&[0.0, 2.0, 1.5, 2.2, 0.0, 3.0], 1.0), 2);
-        assert_eq!(peaks(&[0.0, 2.0, 0.9, 2.2, 0.0, 3.0], 1.0), 3);
-        assert_eq!(peaks(&[3.0, 0.0, 2.0], 1.0), 1, "across the end");
-        assert_eq!(peaks(&[1.0; 5], 1.0), 0);
-    }
-}

@@ -6,6 +6,7 @@ mod clusters;
 mod measures;
 mod pictures;
 mod rankings;
+mod requests;
 
 use pompeiu_planar::{Outline, Point};
 

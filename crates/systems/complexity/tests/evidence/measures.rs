@@ -62,6 +62,22 @@ fn a_rectangle_has_its_closed_forms() {
 }
 
 #[test]
+fn a_peak_of_curvature_stands_out_by_one_on_both_sides() {
+    // A square whose corners are cut off, with two corners of 45° in place of each. Smoothed, the two have a maximum each if they are
+    // more than two standard deviations apart. At 2.2 curvature falls by less than 1 between them, at 2.8 by two.
+    let peaks = |deviations: f64| {
+        let smoothing = 0.01;
+        let side = deviations * smoothing;
+        let cut = 4.0 * side / (2.0_f64.sqrt() + (8.0 - 32.0_f64.sqrt()) * side);
+        let (a, b) = (cut, 1.0 - cut);
+        let corners = [[a, 0.], [b, 0.], [1., a], [1., b], [b, 1.], [a, 1.], [0., b], [0., a]];
+        let outline = Outline::new(corners.to_vec()).unwrap();
+        Measures::of(&outline, &MeasureOptions { smoothing }).unwrap().curvature.peaks
+    };
+    assert_eq!([0.5, 2.2, 2.8, 6.0].map(peaks), [4, 4, 8, 8]);
+}
+
+#[test]
 fn measures_do_not_depend_on_place_size_and_start() {
     let shapes = [
         generate::polyline(12, 4, generate::PointOrder::Angle).unwrap(),
