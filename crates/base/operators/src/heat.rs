@@ -222,31 +222,3 @@ fn downhill(gradient: Vec2) -> Vec2 {
         gradient
     }
 }
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests may panic")]
-mod tests {
-    use super::*;
-    use pompeiu_core::mesh::{merge, shapes};
-    use pompeiu_surface::EmbeddedSurface;
-
-    #[test]
-    fn heat_that_is_continued_often_has_the_same_directions() {
-        let torus = shapes::torus(2.0, 0.7, 60, 40).unwrap();
-        let both = merge(&[&torus, &shapes::cube(1.0, 9).unwrap()]).unwrap();
-        let embedded = EmbeddedSurface::new(&both).unwrap();
-        let heat = HeatMethod::new(embedded.surface(), &HeatOptions::default()).unwrap();
-        for sources in [vec![VertexId(0)], vec![VertexId(5), VertexId(1203), VertexId(2500)]] {
-            let whole = heat.descent(&sources, FAINT).unwrap();
-            // A few edges at a time, and a dozen.
-            for exponent in [6, 20] {
-                let often = heat.descent(&sources, 0.5_f64.powi(exponent)).unwrap();
-                for (face, u) in whole.entries() {
-                    let w = often[face];
-                    let difference = norm([u[0] - w[0], u[1] - w[1]]);
-                    assert!(difference <= 1e-6, "2^-{exponent}, face {face}: {u:?} {w:?}");
-                }
-            }
-        }
-    }
-}

@@ -43,39 +43,3 @@ pub fn random_field(mesh: &SurfaceMesh, seed: u64) -> FaceField {
     let mut random = Random::new(seed);
     FaceField::from_fn(mesh.faces(), |_| [random.signed_unit(), random.signed_unit()])
 }
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests may panic")]
-mod tests {
-    use super::*;
-    use pompeiu_core::mesh::shapes::{grid, icosphere};
-
-    #[test]
-    fn rotating_a_plane_about_its_normal_is_tangent_everywhere() {
-        let mesh = grid([2.0, 2.0], [3, 3], pompeiu_core::mesh::shapes::Diagonal::Rising).unwrap();
-        let surface = EmbeddedSurface::new(&mesh).unwrap();
-        for (face, &u) in mesh.face_ids().zip(&rotation_field(&surface, [0.0, 0.0, 2.0])) {
-            let corners = mesh.corners(face);
-            let [x, y] = [0, 1].map(|i| corners.iter().map(|p| p[i]).sum::<f64>() / 3.0);
-            let [a, b, c] = surface.to_space(face, u);
-            assert!((a + 2.0 * y).abs() < 1e-14 && (b - 2.0 * x).abs() < 1e-14 && c.abs() < 1e-14);
-        }
-    }
-
-    #[test]
-    fn normal_parts_are_left_out_and_measured() {
-        let mesh = icosphere(1.0, 1).unwrap();
-        let surface = EmbeddedSurface::new(&mesh).unwrap();
-        let field = random_field(surface.mesh(), 4);
-        let lifted = FaceData::from_fn(field.len(), |face| {
-            let tangent = surface.to_space(face, field[face]);
-            let normal = surface.frame(face)[2];
-            [0, 1, 2].map(|i| tangent[i] - 3.0 * normal[i])
-        });
-        let (found, normal) = tangent_field(&surface, &lifted);
-        assert!((normal - 3.0).abs() < 1e-14);
-        assert!(found.iter().zip(&field).all(|(u, w)| (u[0] - w[0]).abs() + (u[1] - w[1]).abs() < 1e-14));
-        assert_eq!(field, random_field(surface.mesh(), 4));
-        assert_ne!(field, random_field(surface.mesh(), 5));
-    }
-}

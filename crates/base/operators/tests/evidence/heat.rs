@@ -2,7 +2,7 @@
 
 use crate::common::surface;
 use pompeiu_core::mesh::shapes::Diagonal;
-use pompeiu_core::mesh::{merge, shapes};
+use pompeiu_core::mesh::{displace_at_random, merge, shapes};
 use pompeiu_core::{TriMesh, VertexId};
 use pompeiu_operators::hodge::{conforming_system, crouzeix_raviart_system};
 use pompeiu_operators::{HeatMethod, HeatOptions, OperatorError};
@@ -118,6 +118,29 @@ fn heat_below_the_range_of_doubles_is_continued() {
             assert!((found - exact).abs() <= 0.5, "{length}, {p:?}: {found}");
         }
         assert!(distances.iter().rev().take(42).all(|d| *d == f64::INFINITY));
+    }
+}
+
+#[test]
+fn distances_do_not_depend_on_where_heat_was_continued() {
+    // A rough strip of unit edges. A hundred edges beyond the nearer source, the heat of both has the same shape across the strip.
+    // It is continued every 670 edges or so from each, thus at different places.
+    let strip = shapes::grid([2000.0, 4.0], [2000, 4], Diagonal::Rising).unwrap();
+    let mesh = displace_at_random(&strip, 0.2, 7).unwrap();
+    let surface = surface(&mesh);
+    let heat = HeatMethod::new(&surface, &HeatOptions::default()).unwrap();
+    let from = |x: f64| {
+        let at = strip.positions().iter().position(|p| p[0] == x && p[1] == 0.0).unwrap();
+        heat.distances(&[VertexId(at as u32)]).unwrap()
+    };
+    let (far, near) = (from(-1000.0), from(-700.0));
+    let beyond: Vec<f64> = (strip.positions().iter().zip(far.iter().zip(&near)))
+        .filter(|(p, _)| p[0] > -600.0)
+        .map(|(_, (far, near))| far - near)
+        .collect();
+    assert!((beyond[0] - 300.0).abs() < 30.0, "{}", beyond[0]);
+    for difference in &beyond {
+        assert!((difference - beyond[0]).abs() < 1e-6, "{difference} {}", beyond[0]);
     }
 }
 
