@@ -5,6 +5,7 @@
 //! pieces; each lies within [`Part::rounding`] of the face that it was cut from, which is some 1e-13 of the largest coordinate.
 
 mod clip;
+mod level;
 mod overlap;
 mod pieces;
 mod within;
@@ -59,7 +60,7 @@ enum Measured {
 
 impl Part {
     /// What the corners of pieces are rounded by at most, relative to the largest coordinate: 60 halvings of an edge, each off by half a unit in
-    /// the last place, and six cuts by the sides of a box, each off by less than 8 units, along each of three axes.
+    /// the last place, and six cuts by the sides of a box and 16 along lines, each off by less than 8 units, along each of three axes.
     const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
     /// The faces that are wanted; none if there is no such face.

@@ -1,6 +1,7 @@
 //! The points that are within a length of the other mesh, as far as that is proven.
 
 use super::Part;
+use super::level::Level;
 use super::pieces::{Fate, finest};
 use crate::deviation::linear::greater;
 use crate::deviation::measure::VertexDistances;
@@ -41,8 +42,8 @@ impl DeviationOptions<'_> {
     /// options only the limits and the observer matter.
     ///
     /// # Accuracy
-    /// What is kept is proven to be within the length but for rounding. Each triangle that is left out is farther as a whole, or has no edge
-    /// longer than a part in 2048 of the root of the area of the smaller mesh.
+    /// What is kept is proven to be within the length but for rounding. Each triangle that is left out is farther as a whole but for rounding, or
+    /// has no edge longer than a part in 2048 of the root of the area of the smaller mesh.
     ///
     /// # Errors
     /// [`DeviationOptions::check`].
@@ -79,15 +80,28 @@ impl DeviationOptions<'_> {
         };
         let mut most = 0.0;
         let within = part.cut(pair.whole(direction), finest(pair, &frame), &mut |mesh| {
-            let farthest = comparison.farthest_if_within(mesh);
-            let fate = |farthest: &Option<f64>| match farthest {
-                Some(_) => Fate::Kept,
-                None if control.is_stopped() => Fate::LeftOut,
-                None => Fate::Open(false),
+            let order = morton_order(mesh, &Aabb::of_faces(mesh));
+            let bvh = target.bvh();
+            let Some(vertices) = VertexDistances::limited(mesh, &frame, bvh, &order, &control) else {
+                return vec![Fate::LeftOut; mesh.faces().len()];
             };
-            let fates = farthest.iter().map(fate).collect();
-            most = farthest.into_iter().flatten().fold(most, greater);
-            comparison.without_far(mesh, fates)
+            let farthest = comparison.farthest_if_within(mesh, &order, &vertices);
+            most = farthest.iter().flatten().copied().fold(most, greater);
+            let mut fates: Vec<Fate> =
+                farthest.iter().map(|known| known.map_or(Fate::LeftOut, |_| Fate::Kept)).collect();
+            if !control.is_stopped() {
+                let level = Level::new(bvh, frame.length_in(length), rounding);
+                fates.par_iter_mut().enumerate().for_each_init(
+                    Workspace::default,
+                    |workspace, (face, fate)| {
+                        if *fate != Fate::Kept {
+                            let corners = mesh.corners(FaceId(face as u32)).map(|p| frame.map(p));
+                            *fate = level.fate(corners, vertices.of_corners(mesh.faces()[face]), workspace);
+                        }
+                    },
+                );
+            }
+            fates
         })?;
         // Faces that were kept piece by piece are whole again, and pieces are rounded.
         let rounding = if most > 0.0 { Part::ROUNDING * largest_coordinate(&within.mesh) } else { 0.0 };
@@ -100,34 +114,16 @@ fn largest_coordinate(mesh: &TriMesh) -> f64 {
 }
 
 impl Comparison<'_> {
-    /// Leaves out the open triangles of which all points are too far away.
-    fn without_far(&self, mesh: &TriMesh, mut fates: Vec<Fate>) -> Vec<Fate> {
-        let bvh = self.target.bvh();
-        let far = self.frame.length_in(self.length) + self.rounding.bound(0);
-        fates.par_iter_mut().enumerate().for_each_init(Workspace::default, |workspace, (face, fate)| {
-            if !matches!(fate, Fate::Open(_)) {
-                return;
-            }
-            let corners = mesh.corners(FaceId(face as u32)).map(|p| self.frame.map(p));
-            let centre = [0, 1, 2].map(|k| (corners[0][k] + corners[1][k] + corners[2][k]) * (1.0 / 3.0));
-            let reach = corners.map(|p| (0..3).map(|k| (p[k] - centre[k]) * (p[k] - centre[k])).sum::<f64>());
-            let radius = reach.into_iter().fold(0.0, greater).sqrt();
-            if bvh.nearest(centre, bvh.any_slot(), workspace).distance_sq.sqrt() - radius > far {
-                *fate = Fate::LeftOut;
-            }
-        });
-        fates
-    }
-
     /// How far each face is at most, of those that are proven to be within the length but for rounding.
-    fn farthest_if_within(&self, mesh: &TriMesh) -> Vec<Option<f64>> {
+    fn farthest_if_within(
+        &self,
+        mesh: &TriMesh,
+        order: &[u32],
+        vertices: &VertexDistances,
+    ) -> Vec<Option<f64>> {
         let Self { frame, rounding, control, .. } = *self;
         let mut found = vec![None; mesh.faces().len()];
         let bvh = self.target.bvh();
-        let order = morton_order(mesh, &Aabb::of_faces(mesh));
-        let Some(vertices) = VertexDistances::limited(mesh, &frame, bvh, &order, control) else {
-            return found;
-        };
         let threshold = frame.length_in(self.length);
         // A corner that is too far settles most of the others.
         let is_open = |face: &u32| {
@@ -136,7 +132,7 @@ impl Comparison<'_> {
         };
         let open: Vec<u32> = order.iter().copied().filter(is_open).collect();
         let neighbours = Some(self.target.neighbours_in(self.other));
-        let scene = Scene { a: mesh, order: &order, frame: &frame, bvh, neighbours, control };
+        let scene = Scene { a: mesh, order, frame: &frame, bvh, neighbours, control };
         let limits = Limits {
             diagonal: 1.0,
             tolerance: 0.0,
@@ -232,8 +228,33 @@ mod tests {
         assert_eq!((kept.left_out.faces, kept.left_out.cut), (0, 2));
         assert!(kept.farthest.unwrap() <= 0.3 + 1e-12 && kept.farthest.unwrap() > 0.299);
         let share = kept.left_out.share;
-        assert!(share.lower() > 0.7 - 1e-12 && share.upper() < 0.7005, "{share:?}");
+        assert!(share.contains(0.7) && share.gap() < 1e-9, "{share:?}");
         let found = options.symmetric_of(&pair.with_parts([kept, Part::of(&plate, |_| true).unwrap()]));
         assert!(found.unwrap().a_to_b.distance.distance.upper() <= 0.3 + 1e-12);
+    }
+
+    /// A plate over a valley whose sides rise by 45 degrees: its middle is at equal distances from both.
+    #[test]
+    fn what_is_within_ends_at_lines_over_each_of_two_faces() {
+        let valley = TriMesh::new(
+            [-2.0_f64, 0.0, 2.0].iter().flat_map(|x| [-3.0, 3.0].map(|y| [*x, y, x.abs()])).collect(),
+            vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]],
+        )
+        .unwrap();
+        let corner = |x: f64, y: f64| [x, y, 0.6];
+        let plate = TriMesh::new(
+            vec![corner(-0.5, -0.3), corner(0.5, -0.45), corner(0.5, 0.4), corner(-0.5, 0.4)],
+            vec![[0, 1, 2], [0, 2, 3]],
+        )
+        .unwrap();
+        let pair = PreparedPair::new(&plate, &valley);
+        let all = Part::of(&plate, |_| true).unwrap();
+        let kept = DeviationOptions::default().within(&all, &pair, Direction::AToB, 0.3).unwrap().unwrap();
+        // The distance at x is (.6 - |x|) / sqrt(2); the length of the plate along y is .775 - .075 - .15 x.
+        let end = 0.6 - 0.3 * 2.0_f64.sqrt();
+        let share = kept.left_out.share;
+        assert!((share.lower() - 2.0 * end).abs() < 1e-9 && share.gap() < 1e-9, "{share:?} {end}");
+        let beyond = kept.mesh.positions().iter().skip(4).filter(|p| p[0].abs() < end - 1e-12).count();
+        assert_eq!(beyond, 0);
     }
 }
