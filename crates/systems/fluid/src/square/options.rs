@@ -240,26 +240,3 @@ impl SquareOptions {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn grids_and_edges_are_told_apart() {
-        assert_eq!("mac".parse(), Ok(SquareScheme::Mac));
-        assert_eq!("stam:20".parse(), Ok(SquareScheme::Stam { sweeps: Some(20) }));
-        assert_eq!("periodic".parse(), Ok(Edges::Periodic));
-        assert_eq!("channel:1.5".parse(), Ok(Edges::Channel { speed: 1.5 }));
-        for text in ["mac", "stam", "stam:20"] {
-            assert_eq!(text.parse::<SquareScheme>().map(|one| one.to_string()).as_deref(), Ok(text));
-        }
-        for text in ["walls", "periodic", "channel:1.5"] {
-            assert_eq!(text.parse::<Edges>().map(|one| one.to_string()).as_deref(), Ok(text));
-        }
-        for wrong in ["", "stam:0", "stam:x", "mac:3"] {
-            assert!(wrong.parse::<SquareScheme>().is_err(), "{wrong}");
-        }
-        assert!("channel".parse::<Edges>().is_err() && "channel:x".parse::<Edges>().is_err());
-    }
-}

@@ -6,6 +6,8 @@ mod definite;
 mod densities;
 mod handles;
 mod input;
+#[cfg(feature = "serde")]
+mod requests;
 mod sphere;
 mod square;
 mod walls;
