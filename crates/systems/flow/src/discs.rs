@@ -41,20 +41,3 @@ fn disc(points: &[DVec3]) -> (f64, bool) {
     let area = if plane { vector.length() } else { parts.iter().map(|part| part.length()).sum() };
     (area, plane)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn plane_loops_have_the_area_of_their_polygons() {
-        // An L of area 3, and a saddle over a square.
-        let corner = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
-        let l = [(0., 0.), (2., 0.), (2., 1.), (1., 1.), (1., 2.), (0., 2.)].map(|(x, y)| corner(x, y, 7.0));
-        assert_eq!(disc(&l), (3.0, true));
-        let saddle = [corner(0., 0., 1.), corner(1., 0., 0.), corner(1., 1., 1.), corner(0., 1., 0.)];
-        let (area, plane) = disc(&saddle);
-        assert!(!plane && area > 1.0);
-        assert!(compare([&l, &saddle], 10.0).less);
-    }
-}

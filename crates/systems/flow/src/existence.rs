@@ -74,35 +74,3 @@ pub(crate) fn separating_cone(loops: [&[DVec3]; 2]) -> Option<Cone> {
         None
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::f64::consts::TAU;
-
-    fn circle(radius: f64, z: f64, turned: f64) -> Vec<DVec3> {
-        let at = |k: usize| {
-            let (sin, cos) = (TAU * k as f64 / 96.0).sin_cos();
-            DVec3::new(radius * cos, radius * sin * turned.cos(), z + radius * sin * turned.sin())
-        };
-        (0..96).map(at).collect()
-    }
-
-    #[test]
-    fn the_slope_is_that_of_the_catenoid_through_the_apex() {
-        let tau = SQUARED_SLOPE.sqrt().asinh();
-        assert!((tau * tau.tanh() - 1.0).abs() < 1e-6, "{tau}");
-    }
-
-    #[test]
-    fn two_circles_are_separated_beyond_the_last_catenoid() {
-        // The greatest half height of a catenoid between circles of radius 1 is 0.66274.
-        for (h, separated) in [(0.5, false), (0.66, false), (0.6627, false), (0.6630, true), (0.8, true)] {
-            let (below, above) = (circle(1.0, -h, 0.0), circle(1.0, h, 0.0));
-            assert_eq!(separating_cone([&below, &above]).is_some(), separated, "{h}");
-        }
-        // Circles of different radii, one turned.
-        let (below, above) = (circle(0.3, 0.0, 0.2), circle(1.0, 1.5, 0.0));
-        assert!(separating_cone([&below, &above]).is_some());
-    }
-}

@@ -2,4 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod derivatives;
 mod flow;
+#[cfg(feature = "figures")]
+mod frames;
+mod loops;
+mod requests;
