@@ -91,32 +91,3 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Cholesky, SparseMatrix};
-
-    #[test]
-    fn an_unsymmetric_system_near_a_symmetric_one() {
-        let n = 200;
-        let link = |i: usize, tilt: f64| [(i, i + 1, -1.0 - tilt), (i + 1, i, -1.0 + tilt)];
-        let matrix = |tilt: f64| {
-            let mut entries: Vec<_> = (0..n).map(|i| (i, i, 2.1)).collect();
-            entries.extend((0..n - 1).flat_map(|i| link(i, tilt * (i as f64).sin())));
-            SparseMatrix::from_triplets(n, n, &entries).unwrap()
-        };
-        let (symmetric, tilted) = (matrix(0.0), matrix(0.3));
-        let expected: Vec<f64> = (0..n).map(|i| (0.1 * i as f64).cos()).collect();
-        let b = tilted.multiply(&expected);
-        let solver = Cholesky::new(&symmetric).unwrap();
-        for restart in [5, 40] {
-            let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, restart, 1000).unwrap();
-            let error = x.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(error < 1e-13, "{error:e}");
-        }
-        // With zero steps the result is the solution of the preconditioner's system.
-        let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, 5, 0).unwrap();
-        assert_eq!(x, solver.solve(&b).unwrap());
-    }
-}

@@ -1,8 +1,8 @@
 //! Solvers against known solutions, and their errors when there is none.
 
 use pompeiu_solve::{
-    Analysis, Cholesky, DenseCholesky, Ldlt, LinearSolver, Lu, Ordering, SemidefiniteCholesky, SolveError,
-    SparseMatrix,
+    Analysis, Banded, Cholesky, DenseCholesky, Ldlt, LinearSolver, Lu, Ordering, SemidefiniteCholesky,
+    SolveError, SparseMatrix, gmres,
 };
 
 /// The Laplacian of a grid of points, n by n by layers, plus `shift` on the diagonal.
@@ -261,4 +261,56 @@ fn nothing_to_solve_is_solved() {
     assert_eq!(solver.solve(&[4.0]).unwrap(), [0.0]);
     let empty = SparseMatrix::from_triplets(0, 0, &[]).unwrap();
     assert!(SemidefiniteCholesky::new(empty, &[], &[]).unwrap().solve(&[]).unwrap().is_empty());
+}
+
+#[test]
+fn a_matrix_that_needs_interchanges_is_solved() {
+    // Zeros on the diagonal: without interchanges there is no pivot.
+    let n = 9;
+    let mut matrix = Banded::zeros(n, 2, 1);
+    let mut dense = vec![vec![0.0; n]; n];
+    let mut put = |row: usize, column: usize, value: f64| {
+        matrix.add(row, column, value);
+        dense[row][column] += value;
+    };
+    for row in 0..n {
+        for column in row.saturating_sub(2)..(row + 2).min(n) {
+            if row != column || row + 1 == n {
+                put(row, column, 1.0 + (3 * row + 5 * column) as f64 % 7.0);
+            }
+        }
+    }
+    let x: Vec<f64> = (0..n).map(|i| 1.0 - i as f64).collect();
+    let mut b: Vec<f64> = dense.iter().map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
+    matrix.solve_in_place(&mut b).expect("a regular matrix");
+    for (found, expected) in b.iter().zip(&x) {
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    }
+    assert!(matches!(
+        Banded::zeros(3, 1, 1).solve_in_place(&mut [1.0; 3]),
+        Err(SolveError::Singular { index: 0 })
+    ));
+}
+
+#[test]
+fn an_unsymmetric_system_near_a_symmetric_one() {
+    let n = 200;
+    let link = |i: usize, tilt: f64| [(i, i + 1, -1.0 - tilt), (i + 1, i, -1.0 + tilt)];
+    let matrix = |tilt: f64| {
+        let mut entries: Vec<_> = (0..n).map(|i| (i, i, 2.1)).collect();
+        entries.extend((0..n - 1).flat_map(|i| link(i, tilt * (i as f64).sin())));
+        SparseMatrix::from_triplets(n, n, &entries).unwrap()
+    };
+    let (symmetric, tilted) = (matrix(0.0), matrix(0.3));
+    let expected: Vec<f64> = (0..n).map(|i| (0.1 * i as f64).cos()).collect();
+    let b = tilted.multiply(&expected);
+    let solver = Cholesky::new(&symmetric).unwrap();
+    for restart in [5, 40] {
+        let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, restart, 1000).unwrap();
+        let error = x.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error < 1e-13, "{error:e}");
+    }
+    // With zero steps the result is the solution of the preconditioner's system.
+    let x = gmres(|x| tilted.multiply(x), &solver, &b, 1e-15, 5, 0).unwrap();
+    assert_eq!(x, solver.solve(&b).unwrap());
 }
