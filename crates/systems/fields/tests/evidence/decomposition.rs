@@ -195,6 +195,8 @@ fn fields_of_any_size_are_split_alike() {
         let error = distance(&surface, &rest, &times(&field, 2.0_f64.powi(-1060)));
         assert!(tiny.quality.part_error > 1e-6, "{:e}", tiny.quality.part_error);
         assert!(error <= 3.0 * tiny.quality.part_error * tiny.quality.norms.field, "{error:e}");
+        let least = solver.decompose(&times(&field, 2.0_f64.powi(-1072))).unwrap();
+        assert!(least.quality.norms.field > 0.0 && least.quality.part_error <= 1.0, "{:?}", least.quality);
         let error = solver.decompose(&times(&field, f64::MAX)).unwrap_err();
         assert!(matches!(error, OperatorError::FieldTooLarge { .. }), "{error}");
     }
