@@ -205,27 +205,3 @@ pub fn face_flux(points: &[DVec3; 64], field: &[DVec3; 64], face: usize) -> f64 
 pub fn place_of_64(k: usize) -> [usize; 3] {
     [k % 4, k / 4 % 4, k / 16]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn corners_and_faces_are_those_of_the_trilinear_cell() {
-        for (corner, k) in CORNERS_OF_64.into_iter().enumerate() {
-            assert_eq!(place_of_64(k).map(|p| p / 3), crate::CORNER_PLACES[corner]);
-        }
-        let mesh = HexMesh::grid([1, 1, 1], [2.0, 3.0, 5.0]);
-        let cubic = BezierMesh::from_trilinear(&mesh);
-        let middle = DVec3::new(1.0, 1.5, 2.5);
-        for (face, corners) in crate::FACES.iter().enumerate() {
-            let centre: DVec3 =
-                corners.iter().map(|&k| mesh.positions()[mesh.cells()[0][k] as usize]).sum::<DVec3>() / 4.0;
-            let area: DVec3 = face_points(&cubic.control(0), face).iter().map(|(_, area)| *area).sum();
-            let outward = (centre - middle).normalize();
-            assert!((area.normalize() - outward).length() < 1e-14, "{face} {area} {outward}");
-            let [p, _] = [0, 1].map(|k| value(&cubic.control(0), face_points(&cubic.control(0), face)[k].0));
-            assert!((p - centre).dot(outward).abs() < 1e-12);
-        }
-    }
-}

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod hierarchy;
+mod polynomials;
 mod scaled_bounds;
 mod splines;
 mod unstructured;
