@@ -244,6 +244,8 @@ impl<'i> Collapses<'i> {
             Err(Refused::Below(least)) => {
                 Outcome::Failed(around, if least > self.limit { least } else { self.limit })
             }
+            // With a greater limit other positions are tried.
+            Err(Refused::Intersections) => Outcome::Failed(around, self.limit),
             Err(_) => Outcome::Failed(around, f64::INFINITY),
         }
     }

@@ -122,6 +122,11 @@ impl Trial<'_> {
                 fails(needed_sq);
                 continue;
             }
+            // What faces cover takes longer to tell.
+            if !self.keeps_apart(&star, &faces, scratch) {
+                else_refused = Refused::Intersections;
+                continue;
+            }
             let at_position = near;
             let limit_sq = input.limit_sq;
             if !gathered
@@ -148,21 +153,15 @@ impl Trial<'_> {
             let workspace = &mut scratch.workspace;
             let mut start = near;
             let is_near = |t: &Triangle| input.is_near(*t, most_pieces, &mut start, workspace);
-            if !faces.iter().all(is_near) {
-                fails(0.0);
-            } else if !self.keeps_apart(&star, &faces, scratch) {
-                else_refused = Refused::Intersections;
-            } else {
+            if faces.iter().all(is_near) {
                 let collapse = Collapse { position, ..way };
-                return Ok(Accepted {
-                    collapse,
-                    gone: star.gone,
-                    covering: Some(covering),
-                    near: at_position,
-                });
+                let covering = Some(covering);
+                return Ok(Accepted { collapse, gone: star.gone, covering, near: at_position });
             }
+            fails(0.0);
         }
-        Err(if least < f64::INFINITY { Refused::Below(least.sqrt()) } else { else_refused })
+        let is_below = least < f64::INFINITY && !matches!(else_refused, Refused::Intersections);
+        Err(if is_below { Refused::Below(least.sqrt()) } else { else_refused })
     }
 
     /// Whether no faces intersect after a collapse that do not now, if that is asked for.
