@@ -144,31 +144,3 @@ pub(crate) fn turns(vertices: usize, faces: &[[u32; 3]]) -> Result<Vec<bool>, Su
     }
     Ok(turned.into_iter().map(|turn| turn == Some(true)).collect())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::SurfaceMesh;
-    use pompeiu_core::mesh::shapes::{icosphere, mobius_strip};
-
-    #[test]
-    fn turned_faces_are_turned_back() {
-        let sphere = icosphere(1.0, 2).unwrap();
-        let mut faces = sphere.faces().to_vec();
-        for f in (1..faces.len()).step_by(3) {
-            faces[f].swap(0, 1);
-        }
-        let mixed = TriMesh::new(sphere.positions().to_vec(), faces).unwrap();
-        assert!(matches!(SurfaceMesh::new(&mixed), Err(SurfaceError::Misoriented { .. })));
-        let oriented = orient(&mixed).unwrap();
-        assert!(SurfaceMesh::new(&oriented).is_ok());
-        assert_eq!(oriented.faces()[0], sphere.faces()[0]);
-    }
-
-    #[test]
-    fn one_sided_surfaces_stay_so() {
-        let strip = mobius_strip(2.0, 1.0, 9, 2).unwrap();
-        assert!(matches!(orient(&strip), Err(SurfaceError::NonOrientable { .. })));
-        assert!(matches!(SurfaceMesh::new(&strip), Err(SurfaceError::NonOrientable { .. })));
-    }
-}

@@ -34,8 +34,6 @@ mod path;
 mod periodic;
 pub mod plane;
 mod surface;
-#[cfg(test)]
-mod testing;
 mod topology;
 mod trace;
 

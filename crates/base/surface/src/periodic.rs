@@ -32,28 +32,3 @@ pub fn flat_torus(size: [f64; 2], cells: [u32; 2]) -> Result<Surface, GeometryEr
     let lengths = EdgeData::from_fn(mesh.edges(), |edge| sides[mesh.edge_halfedge(edge).corner()]);
     Surface::from_edge_lengths(mesh, &lengths)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::HalfedgeId;
-    use pompeiu_core::FaceId;
-
-    #[test]
-    fn every_vertex_is_flat_and_frames_agree() {
-        let torus = flat_torus([3.0, 2.0], [5, 4]).unwrap();
-        assert!((torus.area() - 6.0).abs() < 1e-14);
-        assert_eq!(torus.mesh().genus(), 1);
-        assert!(torus.angle_defects().iter().all(|defect| defect.abs() < 1e-14));
-        // The frame turns by half a turn from an even face to the odd one across its diagonal.
-        let turn = torus.transport(HalfedgeId::of(FaceId(0), 2)).unwrap();
-        assert!((turn[0] + 1.0).abs() < 1e-15 && turn[1].abs() < 1e-15, "{turn:?}");
-    }
-
-    #[test]
-    fn too_few_cells_and_no_size_are_refused() {
-        assert!(matches!(flat_torus([1.0, 1.0], [2, 3]), Err(GeometryError::Surface(_))));
-        assert!(matches!(flat_torus([0.0, 1.0], [3, 3]), Err(GeometryError::DegenerateFace { .. })));
-        assert!(matches!(flat_torus([1.0, 1.0], [1 << 20, 1 << 20]), Err(GeometryError::Surface(_))));
-    }
-}

@@ -2,5 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
+mod delaunay;
+mod homology;
+mod paths;
 mod surfaces;
 mod tracing;

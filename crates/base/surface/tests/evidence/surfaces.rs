@@ -5,6 +5,7 @@ use pompeiu_core::{FaceId, MeshSummary, TriMesh, VertexId};
 use pompeiu_surface::plane::rotate;
 use pompeiu_surface::{
     EdgeData, EmbeddedSurface, GeometryError, HalfedgeId, Surface, SurfaceError, SurfaceMesh, flat_torus,
+    orient,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -198,4 +199,43 @@ fn transport_there_and_back_is_nothing() {
     }
     assert!(torus.angle_defects().iter().all(|d| d.abs() < 1e-14));
     assert!((torus.total_angle(VertexId(0)) - TAU).abs() < 1e-14);
+}
+
+#[test]
+fn turned_faces_are_turned_back() {
+    let sphere = shapes::icosphere(1.0, 2).unwrap();
+    let mut faces = sphere.faces().to_vec();
+    for f in (1..faces.len()).step_by(3) {
+        faces[f].swap(0, 1);
+    }
+    let mixed = TriMesh::new(sphere.positions().to_vec(), faces).unwrap();
+    assert!(matches!(SurfaceMesh::new(&mixed), Err(SurfaceError::Misoriented { .. })));
+    let oriented = orient(&mixed).unwrap();
+    assert!(SurfaceMesh::new(&oriented).is_ok());
+    assert_eq!(oriented.faces()[0], sphere.faces()[0]);
+}
+
+#[test]
+fn one_sided_surfaces_stay_so() {
+    let strip = shapes::mobius_strip(2.0, 1.0, 9, 2).unwrap();
+    assert!(matches!(orient(&strip), Err(SurfaceError::NonOrientable { .. })));
+    assert!(matches!(SurfaceMesh::new(&strip), Err(SurfaceError::NonOrientable { .. })));
+}
+
+#[test]
+fn every_vertex_is_flat_and_frames_agree() {
+    let torus = flat_torus([3.0, 2.0], [5, 4]).unwrap();
+    assert!((torus.area() - 6.0).abs() < 1e-14);
+    assert_eq!(torus.mesh().genus(), 1);
+    assert!(torus.angle_defects().iter().all(|defect| defect.abs() < 1e-14));
+    // The frame turns by half a turn from an even face to the odd one across its diagonal.
+    let turn = torus.transport(HalfedgeId::of(FaceId(0), 2)).unwrap();
+    assert!((turn[0] + 1.0).abs() < 1e-15 && turn[1].abs() < 1e-15, "{turn:?}");
+}
+
+#[test]
+fn too_few_cells_and_no_size_are_refused() {
+    assert!(matches!(flat_torus([1.0, 1.0], [2, 3]), Err(GeometryError::Surface(_))));
+    assert!(matches!(flat_torus([0.0, 1.0], [3, 3]), Err(GeometryError::DegenerateFace { .. })));
+    assert!(matches!(flat_torus([1.0, 1.0], [1 << 20, 1 << 20]), Err(GeometryError::Surface(_))));
 }
