@@ -26,20 +26,3 @@ pub(crate) fn framed(arrays: &[Vec<u8>]) -> Vec<u8> {
     }
     body
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_body_has_exactly_the_arrays_that_it_names() {
-        let arrays = vec![b"{}".to_vec(), Vec::new(), vec![b'\n'; 3]];
-        let body = framed(&arrays);
-        assert_eq!(unframed(&body), Some(arrays));
-        assert_eq!(unframed(&body[..body.len() - 1]), None);
-        assert_eq!(unframed(&[&body[..], b"x"].concat()), None);
-        for wrong in ["", "[1]", "[-1]\n", "[18446744073709551615]\nx", "[9999999999]\nx", "{}\n", "[1,\n"] {
-            assert_eq!(unframed(wrong.as_bytes()), None, "{wrong}");
-        }
-    }
-}

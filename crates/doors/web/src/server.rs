@@ -353,23 +353,3 @@ impl Shared {
         (200, framed(&arrays), "application/octet-stream")
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use serde_json::Value;
-
-    #[test]
-    fn the_page_that_is_served_has_no_mark_left_and_connects_to_its_server_alone() {
-        let app = App::bind(0, vec![PathBuf::from("folder/a<b.obj")]).unwrap();
-        let page = app.shared.page();
-        assert!(INDEX.contains(POLICY_OF_FILE) && page.contains("connect-src 'self'"));
-        assert!(!page.contains("wasm-unsafe-eval"));
-        for mark in ["STYLE", "MODULE", "EXAMPLES", "WORKER", "SERVED", "SCRIPT"] {
-            assert!(!page.contains(&format!("/*{mark}*/")), "{mark}");
-        }
-        let served = page.split("id=\"served\">").nth(1).unwrap().split("</script>").next().unwrap();
-        let served: Value = serde_json::from_str(served).unwrap();
-        assert_eq!(served["files"][0], "a<b.obj");
-    }
-}

@@ -8,11 +8,17 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::io::{Read, Write};
 use std::net::TcpStream;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// An address that is served while `work` runs.
 fn served(work: impl FnOnce(&Place)) {
-    let app = App::bind(0, Vec::new()).unwrap();
+    served_with(Vec::new(), work);
+}
+
+/// The same with files that the page compares at first.
+fn served_with(files: Vec<PathBuf>, work: impl FnOnce(&Place)) {
+    let app = App::bind(0, files).unwrap();
     let place = Place::of(&app);
     let token = CancelToken::default();
     std::thread::scope(|scope| {
@@ -144,6 +150,37 @@ fn who_is_not_the_page_is_refused() {
         assert_eq!(status, 400, "{}", String::from_utf8_lossy(&body));
         assert_eq!(place.own("POST", "call/one/many", b"[0]\n").0, 400);
         assert_eq!(place.own("POST", &format!("alive/{}", "x".repeat(65)), b"").0, 429);
+    });
+}
+
+#[test]
+fn the_page_has_no_mark_left_and_connects_to_its_server_alone() {
+    served_with(vec![PathBuf::from("folder/a<b.obj")], |place| {
+        let (status, page) = place.own("GET", "", b"");
+        let page = String::from_utf8(page).unwrap();
+        assert!(status == 200 && page.contains("connect-src 'self'"));
+        assert!(!page.contains("wasm-unsafe-eval"));
+        for mark in ["STYLE", "MODULE", "EXAMPLES", "WORKER", "SERVED", "SCRIPT"] {
+            assert!(!page.contains(&format!("/*{mark}*/")), "{mark}");
+        }
+        let served = page.split("id=\"served\">").nth(1).unwrap().split("</script>").next().unwrap();
+        let served: Value = serde_json::from_str(served).unwrap();
+        assert_eq!(served["files"][0], "a<b.obj");
+    });
+}
+
+#[test]
+fn a_body_has_exactly_the_arrays_that_it_names() {
+    served(|place| {
+        let status = |body: &[u8]| place.own("POST", "call/one/1", body).0;
+        // A call, an empty array, and one of line breaks.
+        let body = b"[2,0,3]\n{}\n\n\n";
+        assert_eq!(status(body), 200);
+        assert_eq!(status(&body[..body.len() - 1]), 400);
+        assert_eq!(status(&[&body[..], b"x"].concat()), 400);
+        for wrong in ["", "[1]", "[-1]\n", "[18446744073709551615]\nx", "[9999999999]\nx", "{}\n", "[1,\n"] {
+            assert_eq!(status(wrong.as_bytes()), 400, "{wrong}");
+        }
     });
 }
 
