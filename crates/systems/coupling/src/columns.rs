@@ -129,21 +129,3 @@ impl<'a> Model<'a> {
         entries
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_that_say_the_same_are_left_out() {
-        let pair = |from: [f64; 3]| Pair { from: from.to_vec(), to: from.map(|x| 2.0 * x).to_vec() };
-        let pairs = [pair([1.0, 0.0, 0.0]), pair([2.0, 1e-6, 0.0]), pair([1.0, 1.0, 0.0]), pair([0.0; 3])];
-        let model = Model::new(pairs.iter(), 1e-3);
-        assert_eq!((model.len(), model.dropped), (2, 2));
-        let weights = model.weights(&[3.0, 2.0, 5.0]);
-        assert!(norm(&difference(&model.from(&weights, 3), &[3.0, 2.0, 0.0])) < 1e-15);
-        assert!(norm(&difference(&model.to(&weights, 3), &[6.0, 4.0, 0.0])) < 1e-15);
-        let projected = model.projected();
-        assert!(norm(&difference(&projected, &[2.0, 0.0, 0.0, 2.0])) < 1e-15);
-    }
-}

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 
 mod channel;
+mod linear;
 mod piston;
 #[cfg(feature = "figures")]
 mod show;
