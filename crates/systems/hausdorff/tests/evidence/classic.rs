@@ -52,7 +52,7 @@ proptest! {
 #[test]
 fn closed_forms_by_the_textbook() {
     for case in all().into_iter().filter(|c| c.a.faces().len() <= 12 && !is_one_point(&c.a, &c.b)) {
-        let report = classic(&case.a, &case.b, 1e-2);
+        let report = classic(&case.a, &case.b, 3e-2);
         let d = report.distance;
         assert_eq!(report.stop, StopReason::Tolerance, "{}: {report:?}", case.name);
         assert!(
