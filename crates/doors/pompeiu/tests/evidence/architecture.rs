@@ -17,15 +17,20 @@ fn text(name: &str) -> String {
     fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// Dependencies among the crates of the workspace, of one kind.
-fn arrows(kind: &Value) -> Arrows {
+/// What cargo knows of the crates of the workspace.
+fn metadata() -> Value {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
         .current_dir(root())
         .output()
         .unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let metadata: Value = serde_json::from_slice(&output.stdout).unwrap();
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Dependencies among the crates of the workspace, of one kind.
+fn arrows(kind: &Value) -> Arrows {
+    let metadata = metadata();
     let packages = metadata["packages"].as_array().unwrap();
     let name = |value: &Value| value["name"].as_str().unwrap().to_owned();
     let ours: BTreeSet<String> = packages.iter().map(name).collect();
@@ -54,6 +59,46 @@ fn crates_depend_on_each_other_as_drawn() {
 
     let command_is_used = arrows(&Value::from("dev")).values().any(|to| to.contains("pompeiu-cli"));
     assert!(!command_is_used, "even in tests no crate depends on the command");
+}
+
+/// Tests in a target that is not compiled for tests, and examples in the documentation of a library without such tests, never run.
+#[test]
+fn no_test_is_where_none_is_run() {
+    let metadata = metadata();
+    let targets =
+        metadata["packages"].as_array().unwrap().iter().flat_map(|p| p["targets"].as_array().unwrap());
+    for target in targets {
+        let main = Path::new(target["src_path"].as_str().unwrap());
+        let is_library = target["kind"].as_array().unwrap().iter().any(|kind| kind == "lib");
+        let mut all = Vec::new();
+        if is_library {
+            source_files(main.parent().unwrap(), &mut all);
+        } else {
+            all.push(main.to_owned());
+        }
+        for file in all {
+            let text = fs::read_to_string(&file).unwrap();
+            let of = |is_run: &str, mark: &str| target[is_run] == false && text.contains(mark);
+            assert!(
+                !of("test", "#[cfg(test)]") && !of("test", "#[test]"),
+                "{} is not tested",
+                file.display()
+            );
+            let has_example = ["/// ```\n", "//! ```\n"].iter().any(|mark| of("doctest", mark));
+            assert!(!is_library || !has_example, "examples in {} are not run", file.display());
+        }
+    }
+}
+
+/// The source files below a folder.
+fn source_files(folder: &Path, files: &mut Vec<PathBuf>) {
+    for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if path.is_dir() {
+            source_files(&path, files);
+        } else if path.extension().is_some_and(|suffix| suffix == "rs") {
+            files.push(path);
+        }
+    }
 }
 
 #[test]
