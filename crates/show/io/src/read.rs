@@ -203,12 +203,12 @@ fn invalid(error: &MeshError, faces_dropped: u64) -> FormatError {
                 0 => String::new(),
                 n => format!(" and {n} faces with fewer than three corners"),
             };
-            let cloud = if faces_dropped == 0 && *vertices > 0 {
-                "; `pompeiu distance` measures clouds of points"
-            } else {
-                ""
+            let advice = match (faces_dropped, *vertices) {
+                (0, 0) => "; check that it is the file you mean and that its name ends in its format",
+                (0, _) => "; `pompeiu distance` measures clouds of points",
+                _ => "",
             };
-            let problem = format!("found {vertices} vertices{dropped}, expected at least one face{cloud}");
+            let problem = format!("found {vertices} vertices{dropped}, expected at least one face{advice}");
             FormatError::new(Location::File, problem)
         }
         MeshError::NonFinite { vertex, .. } | MeshError::TooLarge { vertex, .. } => {

@@ -1,6 +1,6 @@
 //! The sweep: whole faces, most of which are discarded at once.
 
-use super::overlay::{Below, OVERLAY_CUTS, Overlaid, View};
+use super::overlay::{Below, MOST_FACES, MOST_LARGE_FACES, OVERLAY_CUTS, Overlaid, View};
 use super::parts::MOST_CUTS;
 use super::piece::{INHERITED, Piece, longest_edge};
 use super::worker::{STOP_CHECK, SlotProof, Worker, centre, max3, with_centre};
@@ -159,8 +159,14 @@ impl Worker<'_> {
         let Some(view) = View::new(&piece.corners) else { return Settled::No(None) };
         let depth = piece.depth + OVERLAY_CUTS;
         let below = Below { bvh, neighbours, limit_sq: self.limit_sq(depth) };
+        let mut overlaid = self.overlay.run(&view, &below, start, MOST_FACES, &mut self.workspace);
+        let is_among_large =
+            matches!(overlaid, Overlaid::Many) && piece.size() <= longest_edge(&bvh.corners(start));
+        if is_among_large {
+            overlaid = self.overlay.run(&view, &below, start, MOST_LARGE_FACES, &mut self.workspace);
+        }
         let mut also_near = start;
-        match self.overlay.run(&view, &below, start, &mut self.workspace) {
+        match overlaid {
             Overlaid::Covered(distance_sq) => {
                 if !self.overlay.keep_all {
                     self.raise_upper(distance_sq.sqrt() + self.limits.rounding.bound(depth));
@@ -180,10 +186,7 @@ impl Worker<'_> {
                     self.raise_upper(covered_sq.sqrt() + self.limits.rounding.bound(depth));
                 }
             }
-            // Where B's faces are no smaller, they are many because they meet in one vertex: parts would see as many.
-            Overlaid::Many if piece.size() <= longest_edge(&bvh.corners(start)) => {
-                return Settled::No(Some(start));
-            }
+            Overlaid::Many if is_among_large => return Settled::No(Some(start)),
             Overlaid::Many => return Settled::TooMany(start),
             Overlaid::None => return Settled::No(Some(start)),
         }

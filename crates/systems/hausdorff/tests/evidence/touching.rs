@@ -4,7 +4,7 @@
 //! by corners called such pieces narrow, refined everything else in vain, and took millions of looks.
 
 use pompeiu_core::TriMesh;
-use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, StopReason};
+use pompeiu_hausdorff::{DeviationOptions, DirectedDeviation, Enclosure, HausdorffOptions, StopReason};
 use pompeiu_testkit::data;
 use pompeiu_testkit::effort::cases;
 use proptest::prelude::*;
@@ -168,4 +168,25 @@ fn hard_pairs_end() {
             assert!(found.work.looks < 5_000, "{name}: {:?}", found.work);
         }
     }
+}
+
+/// A disc as a fan of thin faces about its first vertex, in a plane that is tilted.
+fn disc(count: u32) -> TriMesh {
+    let at = |i: u32| {
+        let (y, x) = (std::f64::consts::TAU * (f64::from(i) + 0.3) / f64::from(count)).sin_cos();
+        [x, 0.7 * y, 0.6 * y]
+    };
+    TriMesh::new((0..count).map(at).collect(), (1..count - 1).map(|i| [0, i, i + 1]).collect()).unwrap()
+}
+
+/// Two discs of thin faces in one plane, about vertices in different places, so that each face of one crosses hundreds of the other: these are
+/// overlaid once. Parts of a face would cross as many, and took 105 million distances.
+#[test]
+fn thin_faces_in_one_plane_take_few_distances() {
+    let (coarse, fine) = (disc(128), disc(512));
+    let found = HausdorffOptions::default().directed(&coarse, &fine).unwrap();
+    // How far the corners of one rim lie outside of the other.
+    assert!(found.distance.upper() < 1e-5, "{:?}", found.distance);
+    assert_eq!(found.stop, StopReason::Tolerance);
+    assert!(found.work.distances < 1_000_000, "{:?}", found.work);
 }

@@ -180,9 +180,8 @@ fn threads_do_not_change_a_bit() {
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     for alignment in [Alignment::None, Alignment::Rigid] {
         let options = RankOptions { top: 2, alignment, ..RankOptions::default() };
-        let on = |threads: usize| {
-            pool(threads).install(|| rank_meshes(&template, &targets, &options).unwrap())
-        };
+        let on =
+            |threads: usize| pool(threads).install(|| rank_meshes(&template, &targets, &options).unwrap());
         let one = on(1);
         assert_eq!((&one, &one), (&on(2), &on(8)));
     }

@@ -42,8 +42,10 @@ use segment::{Clip, Point, Seen};
 /// The rounding of an overlay, in cuts: points inside T lie within 28 units of it and points of its sides within 9 (see
 /// [`rounding`](crate::rounding)), together less than the 40 units of four cuts.
 pub(crate) const OVERLAY_CUTS: u32 = 4;
-/// Faces of B that one overlay looks at.
-const MOST_FACES: usize = 128;
+/// Faces of B that one overlay looks at, and one of a triangle no larger than they are: there they are many because they are thin or meet in one vertex, and
+/// parts of the triangle would see as many.
+pub(crate) const MOST_FACES: usize = 128;
+pub(crate) const MOST_LARGE_FACES: usize = 2048;
 
 /// What an overlay has come to.
 pub(crate) enum Overlaid {
@@ -66,6 +68,8 @@ pub(crate) struct Overlay {
     strips: Vec<Strip>,
     /// The cell at hand.
     polygon: Polygon,
+    /// Faces that are looked at, at most.
+    most: usize,
     /// Whether all cells are listed, not only those beyond the limit.
     pub(crate) keep_all: bool,
     /// The cells beyond the limit, or all of them.
@@ -100,14 +104,16 @@ impl Overlay {
         Self { keep_all, ..Self::default() }
     }
 
-    /// Partitions a triangle by the faces of B around one that is seen over its centre.
+    /// Partitions a triangle by the faces of B around one that is seen over its centre, at most so many.
     pub(crate) fn run(
         &mut self,
         view: &View,
         below: &Below<'_>,
         start: Slot,
+        most: usize,
         workspace: &mut Workspace,
     ) -> Overlaid {
+        self.most = most;
         self.slots.clear();
         self.faces.clear();
         self.points.clear();
@@ -197,7 +203,7 @@ impl Overlay {
         if view.is_steep(&below.bvh.corners(across.slot).map(DVec3::from_array), reversed) {
             return Ok(false);
         }
-        if self.slots.len() == MOST_FACES {
+        if self.slots.len() == self.most {
             return Err(Overlaid::Many);
         }
         let mut clips = [Clip::Unknown; 3];

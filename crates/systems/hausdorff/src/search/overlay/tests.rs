@@ -27,10 +27,11 @@ fn run(t: &[[f64; 3]; 3], sheet: &TriMesh, limit_sq: f64, keep_all: bool) -> (Ov
     let mut workspace = Workspace::default();
     let t = t.map(|p| target.frame().map(p));
     let centre = [0, 1, 2].map(|k| (t[0][k] + t[1][k] + t[2][k]) / 3.0);
-    let below = Below { bvh: target.bvh(), neighbours: target.neighbours().unwrap(), limit_sq };
+    let neighbours = target.neighbours().unwrap();
+    let below = Below { bvh: target.bvh(), neighbours, limit_sq };
     let near = target.bvh().nearest(centre, target.bvh().any_slot(), &mut workspace).slot;
-    let overlaid =
-        View::new(&t).map_or(Overlaid::None, |view| overlay.run(&view, &below, near, &mut workspace));
+    let overlaid = View::new(&t)
+        .map_or(Overlaid::None, |view| overlay.run(&view, &below, near, MOST_FACES, &mut workspace));
     (overlaid, overlay, target)
 }
 
