@@ -112,7 +112,7 @@ pub fn self_intersections_in(
 /// Exact; see [`common_point`] for coordinates that differ in size.
 pub fn faces_intersect(one: &[[f64; 3]; 3], other: &[[f64; 3]; 3]) -> bool {
     let apart = Plane::of(one).is_beside(other) || Plane::of(other).is_beside(one);
-    !apart && common_point(one, other).is_some()
+    !apart && !are_separated(one, other) && common_point(one, other).is_some()
 }
 
 /// The pairs of the faces of some slots with those of later slots.
@@ -141,7 +141,9 @@ fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize
                 let mut faces = [bvh.face(slot), bvh.face(other)];
                 faces.sort_unstable();
                 let of_other = bvh.corners(other);
-                let apart = plane.is_beside(&of_other) || Plane::of(&of_other).is_beside(&corners);
+                let apart = plane.is_beside(&of_other)
+                    || Plane::of(&of_other).is_beside(&corners)
+                    || are_separated(&corners, &of_other);
                 match if apart { None } else { common_point(&corners, &of_other) } {
                     Some(place) => found.pairs.push(IntersectingPair { faces, place }),
                     None => found.touching += usize::from(touch(mesh, faces)),
@@ -188,6 +190,45 @@ impl<'t> Plane<'t> {
         }
         sides[0] != sides[1]
     }
+}
+
+/// Whether a plane certainly separates two triangles but for a common corner. For faces in one plane, whose signs exact arithmetic alone tells, and of which
+/// hundreds may meet in a vertex: across the directions in which both leave that, or across their longest edges.
+fn are_separated(one: &[[f64; 3]; 3], other: &[[f64; 3]; 3]) -> bool {
+    let mut common = one.iter().filter(|p| other.contains(p));
+    let (origin, shared) = match (common.next(), common.next()) {
+        (Some(p), None) => (*p, true),
+        (None, _) => (one[0], false),
+        _ => return false,
+    };
+    let [s, t] = [one, other].map(|t| t.map(|p| DVec3::from_array(p) - DVec3::from_array(origin)));
+    let is_apart = |normal: DVec3| {
+        // Differences, products and sums are each off by half of epsilon, relative to the sum of magnitudes.
+        let ends = |p: DVec3| {
+            let (at, error) =
+                (normal.dot(p), 16.0 * f64::EPSILON * normal.abs().dot(p.abs()) + f64::MIN_POSITIVE);
+            if p == DVec3::ZERO { [0.0; 2] } else { [at - error, at + error] }
+        };
+        let least = |t: &[DVec3; 3]| t.iter().map(|p| ends(*p)[0]).fold(f64::INFINITY, f64::min);
+        let most = |t: &[DVec3; 3]| t.iter().map(|p| ends(*p)[1]).fold(f64::NEG_INFINITY, f64::max);
+        if !shared {
+            return least(&s) > most(&t) || least(&t) > most(&s);
+        }
+        let away = |p: &DVec3| *p != DVec3::ZERO;
+        s.iter().filter(|p| away(p)).all(|p| ends(*p)[0] > 0.0)
+            && t.iter().filter(|p| away(p)).all(|p| ends(*p)[1] < 0.0)
+    };
+    if shared {
+        let directions = |t: &[DVec3; 3]| t.iter().map(|p| p.normalize_or_zero()).sum::<DVec3>();
+        return is_apart(directions(&s) - directions(&t));
+    }
+    let across = |t: &[DVec3; 3]| {
+        let edges = [t[1] - t[0], t[2] - t[1], t[0] - t[2]];
+        let longest =
+            edges.into_iter().reduce(|a, b| if b.length_squared() > a.length_squared() { b } else { a });
+        longest.map_or(DVec3::ZERO, |longest| edges[0].cross(edges[1]).cross(longest))
+    };
+    is_apart(across(&s)) || is_apart(across(&t))
 }
 
 /// Whether different vertices of two faces with area are at one position.
