@@ -114,8 +114,8 @@ impl<'a> Assembly<'a> {
         let mut stations = stations(tube, places, first.map(|(_, _, side)| side));
         let last = last.map(|(inner, outer, side)| {
             let end = stations[stations.len() - 1];
-            // The other node sees the tube in the opposite direction.
-            let across = end.sides[1].cross(end.sides[0]).cross(side);
+            // The other node sees the tube in the opposite direction. The sides of tubes with corners have lengths.
+            let across = end.sides[1].cross(end.sides[0]).normalize_or_zero().cross(side);
             let corners = [0, 1, 2, 3].map(|k| {
                 let angle = std::f64::consts::FRAC_PI_4 * f64::from(2 * k + 1);
                 side * libm::cos(angle) + across * libm::sin(angle)

@@ -239,6 +239,34 @@ const HAIRPIN: &str = "1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2
     8 2 8.997 0.929 0 2 7\n9 2 8.909 1.416 0 2 8\n10 2 8.598 1.801 0 2 9\n11 2 8.042 1.999 0 2 10\n12 2 6 2 0 2 11\n13 2 4 2.2 0 2 12\n14 2 0 3 0 2 13\n";
 
 #[test]
+fn turned_branches_between_nodes_have_the_same_cells_in_any_unit() {
+    let tree = |unit: f64| {
+        let samples = [
+            ([-8.0, 0.0, 0.0], -1),
+            ([0.0, 0.0, 0.0], 1),
+            ([-4.0, 6.0, 0.0], 2),
+            ([5.0, -3.0, 0.0], 2),
+            ([10.0, -3.0, 3.0], 4),
+            ([15.0, -6.0, 8.0], 5),
+            ([15.0, -6.0, 0.0], 5),
+        ];
+        let line = |(k, ([x, y, z], parent)): (usize, &([f64; 3], i32))| {
+            format!("{} 3 {} {} {} {unit} {parent}\n", k + 1, unit * x, unit * y, unit * z)
+        };
+        samples.iter().enumerate().map(line).collect::<String>()
+    };
+    // The least of branches: those of nodes may be less.
+    let least = |unit: f64| {
+        let found = mesh(&tree(unit), &quick());
+        let cells = found.mesh.cells().iter().zip(&found.parts).filter(|(_, part)| **part >= 0);
+        let values = cells.map(|(cell, _)| pompeiu_volume::scaled_jacobian(&found.mesh.corners(*cell)));
+        values.fold(f64::INFINITY, f64::min)
+    };
+    let [one, eighth] = [1.0, 0.125].map(least);
+    assert!((one - eighth).abs() < 1e-9 && one > 0.6, "{one} {eighth}");
+}
+
+#[test]
 fn cells_that_are_not_proven_are_named_with_their_places() {
     assert_eq!(mesh("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n", &quick()).report.unproven, []);
     let skeleton = skeleton(HAIRPIN);
