@@ -18,6 +18,8 @@ pub(super) struct CubicEnergy<'e> {
     /// Positions that may move.
     pub(super) free: &'e [u32],
     pub(super) shape: Shape,
+    /// The weight of mean ratios beside the shape: scaled Jacobians alone permit derivatives that vanish at a point, next to which they are small.
+    pub(super) even: f64,
     /// The wall, the positions on it, and the weight of leaving it.
     pub(super) wall: Option<(&'e Wall, &'e [u32], f64)>,
     /// Faces on the wall whose distance from it counts, not only that of positions.
@@ -46,6 +48,9 @@ pub(super) fn lagrange_table(places: &[f64]) -> Vec<Row> {
     places.iter().map(|&t| (row(bernstein(t)), row(bernstein_slopes(t)))).collect()
 }
 
+/// Regularisation of determinants in mean ratios beside another shape, which keeps them positive.
+const EPSILON: f64 = 1e-9;
+
 impl CubicEnergy<'_> {
     /// The energy; writes its gradient with respect to the free positions to `gradient`, and to all of them to `at`.
     fn value(
@@ -61,7 +66,12 @@ impl CubicEnergy<'_> {
             let points = cell.map(|v| positions[v as usize] / size);
             let mut slopes = slopes_at(&points, self.table);
             for columns in &mut slopes {
-                let (cost, by) = self.shape.cost(*columns);
+                let (mut cost, mut by) = self.shape.cost(*columns);
+                if self.even > 0.0 {
+                    let (more, by_more) = Shape::MeanRatio { epsilon: EPSILON }.cost(*columns);
+                    cost += self.even * more;
+                    by.iter_mut().zip(by_more).for_each(|(by, more)| *by += more * self.even);
+                }
                 if !cost.is_finite() {
                     return f64::INFINITY;
                 }
@@ -164,7 +174,7 @@ mod tests {
         let cells = [std::array::from_fn(|k| k as u32)];
         let free = [0, 21, 63, 42];
         let table = lagrange_table(&PLACES);
-        for shape in [Shape::MeanRatio { epsilon: 0.3 }, Shape::Scaled { power: 2 }] {
+        for (shape, even) in [(Shape::MeanRatio { epsilon: 0.3 }, 0.0), (Shape::Scaled { power: 2 }, 0.5)] {
             let control = &Control::default();
             let (wall, scale, table) = (None, 0.8, table.as_slice());
             let sizes = &[0.7];
@@ -172,6 +182,7 @@ mod tests {
                 cells: &cells,
                 free: &free,
                 shape,
+                even,
                 wall,
                 skin: None,
                 scale,

@@ -19,6 +19,12 @@ const EPSILON: f64 = 1e-4;
 /// Most steps of each minimisation.
 const STEPS: usize = 30;
 
+/// Proven scaled Jacobian below which mean ratios are minimised as well.
+pub(super) const EVEN_BELOW: f64 = 0.65;
+
+/// The weight of mean ratios then.
+pub(super) const EVEN: f64 = 3.0;
+
 /// The positions at thirds of the cells around a node, and what is known of them.
 #[derive(Clone)]
 pub(super) struct Bent {
@@ -36,6 +42,11 @@ impl Bent {
     /// How good it is; those with a cell that is not proven are less fit than all others.
     pub(super) fn fitness(&self) -> f64 {
         if self.certified { fitness(self.quality, self.off) } else { f64::NEG_INFINITY }
+    }
+
+    /// Whether its least scaled Jacobian is larger, and its wall as near or near enough.
+    pub(super) fn is_better(&self, other: &Self) -> bool {
+        self.certified && self.quality > other.quality && self.off <= other.off.max(NEAR)
     }
 }
 
@@ -56,7 +67,7 @@ pub(super) fn follow(
     measured: impl Fn(Vec<DVec3>) -> Bent,
 ) -> Bent {
     let mut state = bent.clone();
-    let mut best = bent;
+    let (mut best, mut of_best) = (bent, WEIGHTS[0]);
     let step = |state: &Bent, energy: &CubicEnergy<'_>, (shape, weight): (Shape, f64)| {
         let skin = Skin::of_faces(cones, faces, bicubic(), &state.positions, weight);
         let mut positions = state.positions.clone();
@@ -64,7 +75,7 @@ pub(super) fn follow(
         energy.minimise(&mut positions, STEPS);
         measured(positions)
     };
-    let [few, many] = energies;
+    let [few, many] = &energies;
     for weight in UNFOLDING {
         if !state.certified && !few.control.is_stopped() {
             state = step(&state, many, (Shape::MeanRatio { epsilon: EPSILON }, weight));
@@ -85,12 +96,22 @@ pub(super) fn follow(
                 is_moved = true;
             }
             if state.fitness() > best.fitness() {
-                best = state.clone();
+                (best, of_best) = (state.clone(), weight);
             }
         }
         // Cells that fold fold with a greater weight as well.
         if !is_moved || state.off <= NEAR {
             break;
+        }
+    }
+    if best.certified && best.quality < EVEN_BELOW {
+        let few = &CubicEnergy { even: EVEN, ..**few };
+        let mut state = best.clone();
+        for (shape, factor) in shapes() {
+            state = step(&state, few, (shape, (1.0 + EVEN) * of_best * factor));
+            if state.is_better(&best) {
+                best = state.clone();
+            }
         }
     }
     best

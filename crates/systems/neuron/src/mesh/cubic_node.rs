@@ -1,7 +1,7 @@
 //! The mesh around a node with tricubic cells.
 
 use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
-use super::cubic_follow::{Bent, follow, off};
+use super::cubic_follow::{Bent, EVEN, EVEN_BELOW, follow, off};
 use super::node::{Cluster, size_of};
 use super::node_mesh::NodeMesh;
 use super::section::Section;
@@ -72,9 +72,32 @@ pub(super) fn bend(
         let (points, quality, certified) = controlled(&cells, &positions);
         Bent { off: off(&cones, &faces, &positions), positions, points, quality, certified }
     };
+    let free: Vec<u32> = (0..fixed.len() as u32).filter(|&v| !fixed[v as usize]).collect();
+    let mut is_inner: Vec<bool> = fixed.iter().map(|is| !is).collect();
+    for &v in &on_wall {
+        is_inner[v as usize] = false;
+    }
+    let inner: Vec<u32> = free.iter().copied().filter(|&v| is_inner[v as usize]).collect();
+    let [few, many] = [lagrange_table(&PLACES), lagrange_table(&MANY_PLACES)];
+    let energy = |table| CubicEnergy {
+        cells: &cells,
+        free: &free,
+        shape: Shape::MeanRatio { epsilon: 0.02 },
+        even: 0.0,
+        wall: None,
+        skin: None,
+        scale,
+        sizes: &sizes,
+        table,
+        control,
+    };
+    let draft =
+        |table| Draft { energy: energy(table), wall: &wall, on_wall: &on_wall, free: &free, inner: &inner };
     let mut best: Option<Bent> = None;
-    for places in [PLACES.as_slice(), &MANY_PLACES] {
-        optimise((&cells, &fixed), (&wall, &on_wall), (scale, &sizes, control), places, &mut positions);
+    for table in [&few, &many] {
+        let draft = draft(table);
+        draft.untangle(&mut positions);
+        draft.improve(0.0, &mut positions);
         let found = measured(positions.clone());
         let is_done = found.certified;
         if is_done || best.is_none() {
@@ -84,34 +107,22 @@ pub(super) fn bend(
             break;
         }
     }
-    let mut best = best.unwrap_or_else(|| measured(positions));
+    // Between the points of cells it may be much less than at them.
+    let proven = |bent: Bent| {
+        let quality = if bent.certified { proven(&cells, &bent.points, bent.quality) } else { bent.quality };
+        Bent { quality, ..bent }
+    };
+    let mut best = proven(best.unwrap_or_else(|| measured(positions)));
+    let measured = |positions| proven(measured(positions));
     if (best.off > CLOSE * within || !best.certified) && !control.is_stopped() {
-        let free: Vec<u32> = (0..fixed.len() as u32).filter(|&v| !fixed[v as usize]).collect();
-        let table = lagrange_table(&PLACES);
-        let many = lagrange_table(&MANY_PLACES);
-        let energy = CubicEnergy {
-            cells: &cells,
-            free: &free,
-            shape: Shape::MeanRatio { epsilon: 0.02 },
-            wall: None,
-            skin: None,
-            scale,
-            sizes: &sizes,
-            table: &table,
-            control,
-        };
-        // Between the points of cells it may be much less than at them.
-        let proven = |bent: Bent| {
-            let quality =
-                if bent.certified { proven(&cells, &bent.points, bent.quality) } else { bent.quality };
-            Bent { quality, ..bent }
-        };
-        best = follow(
-            proven(best),
-            [&energy, &CubicEnergy { table: &many, ..energy }],
-            (&cones, &faces),
-            |positions| proven(measured(positions)),
-        );
+        best = follow(best, [&energy(&few), &energy(&many)], (&cones, &faces), measured);
+    } else if best.quality < EVEN_BELOW && !control.is_stopped() {
+        let mut positions = best.positions.clone();
+        draft(&few).improve(EVEN, &mut positions);
+        let found = measured(positions);
+        if found.is_better(&best) {
+            best = found;
+        }
     }
     CubicNode { refinement, points: best.points, quality: best.quality }
 }
@@ -207,61 +218,57 @@ fn boundary(
     (fixed, on_wall, on_faces)
 }
 
-/// Optimises the positions: first removes folds, with an increasing weight of the wall, then improves the least scaled Jacobian.
-fn optimise(
-    (cells, fixed): (&[[u32; 64]], &[bool]),
-    (wall, on_wall): (&Wall, &[u32]),
-    (scale, sizes, control): (f64, &[f64], &Control),
-    places: &[f64],
-    positions: &mut [DVec3],
-) {
-    let free: Vec<u32> = (0..fixed.len() as u32).filter(|&v| !fixed[v as usize]).collect();
-    let mut is_wall = vec![false; fixed.len()];
-    for &v in on_wall {
-        is_wall[v as usize] = true;
-    }
-    let inner: Vec<u32> = free.iter().copied().filter(|&v| !is_wall[v as usize]).collect();
-    let project = |positions: &mut [DVec3]| {
-        for &v in on_wall {
-            positions[v as usize] = wall.project(positions[v as usize]);
+/// The mesh around a node while it is optimised.
+struct Draft<'d> {
+    energy: CubicEnergy<'d>,
+    wall: &'d Wall,
+    on_wall: &'d [u32],
+    /// Positions that may move, and those of them inside.
+    free: &'d [u32],
+    inner: &'d [u32],
+}
+
+impl Draft<'_> {
+    fn project(&self, positions: &mut [DVec3]) {
+        for &v in self.on_wall {
+            positions[v as usize] = self.wall.project(positions[v as usize]);
         }
-    };
-    project(positions);
-    let table = lagrange_table(places);
-    let shape = Shape::MeanRatio { epsilon: 0.02 };
-    let mut energy = CubicEnergy {
-        cells,
-        free: &free,
-        shape,
-        wall: None,
-        skin: None,
-        scale,
-        sizes,
-        table: &table,
-        control,
-    };
-    for (epsilon, weight) in [(0.02, 300.0), (0.002, 3000.0), (1e-4, 30_000.0)] {
-        energy.shape = Shape::MeanRatio { epsilon };
-        energy.wall = Some((wall, on_wall, weight));
-        energy.minimise(positions, 25);
     }
-    project(positions);
-    if energy.quality(positions) <= 0.0 {
-        energy.wall = None;
-        energy.free = &inner;
-        energy.minimise(positions, 60);
-    }
-    energy.wall = Some((wall, on_wall, 1e5));
-    for power in [2, 4, 8] {
-        energy.shape = Shape::Scaled { power };
-        for moving in [&free, &inner] {
-            let before = positions.to_vec();
-            let was = energy.quality(positions);
-            energy.free = moving;
+
+    /// Removes folds, with an increasing weight of the wall.
+    fn untangle(&self, positions: &mut [DVec3]) {
+        self.project(positions);
+        let mut energy = CubicEnergy { free: self.free, ..self.energy };
+        for (epsilon, weight) in [(0.02, 300.0), (0.002, 3000.0), (1e-4, 30_000.0)] {
+            energy.shape = Shape::MeanRatio { epsilon };
+            energy.wall = Some((self.wall, self.on_wall, weight));
             energy.minimise(positions, 25);
-            project(positions);
-            if energy.quality(positions) < was {
-                positions.copy_from_slice(&before);
+        }
+        self.project(positions);
+        if energy.quality(positions) <= 0.0 {
+            energy.wall = None;
+            energy.free = self.inner;
+            energy.minimise(positions, 60);
+        }
+    }
+
+    /// Improves the least scaled Jacobian at points, with this weight of mean ratios.
+    fn improve(&self, even: f64, positions: &mut [DVec3]) {
+        let wall = Some((self.wall, self.on_wall, 1e5));
+        let mut energy = CubicEnergy { even, wall, ..self.energy };
+        for power in [2, 4, 8] {
+            energy.shape = Shape::Scaled { power };
+            for moving in [self.free, self.inner] {
+                let before = positions.to_vec();
+                let was = energy.quality(positions);
+                energy.free = moving;
+                energy.minimise(positions, 25);
+                self.project(positions);
+                // Mean ratios cost some of it.
+                let least = if even > 0.0 { 0.0 } else { was };
+                if energy.quality(positions) < least {
+                    positions.copy_from_slice(&before);
+                }
             }
         }
     }

@@ -277,7 +277,8 @@ fn distances_in_the_crotches_of_forks_are_enclosed() {
 fn walls_of_tricubic_cells_follow_the_crotches_of_forks() {
     let text = forked(30.0);
     let found = cubic_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
-    assert!(found.certified);
+    // Derivatives that vanish at points between those of the energy made it less.
+    assert!(found.certified && found.min_scaled_jacobian > 0.6, "{}", found.min_scaled_jacobian);
     let wall = found.wall.unwrap();
     assert_eq!(wall.is_within(), Some(true), "{:?}", wall.wall_to_cones);
 }
