@@ -1,7 +1,8 @@
 //! Where triangles go beyond a length from a surface.
 //!
 //! Over one face the distance is that from its plane, a linear function, so what is within a length ends at a line: a triangle over one
-//! face is divided there at once. Where several faces are near, triangles are halved until few of their parts are over more than one.
+//! face is divided there at once, and one over two faces where both planes are as far. Where more are near, triangles are halved until few of their parts are
+//! over more than two.
 
 use super::pieces::Fate;
 use crate::deviation::linear::greater;
@@ -84,14 +85,17 @@ impl<'l> Level<'l> {
         (values.iter().any(|value| *value > 0.0) && values.iter().any(|value| *value < 0.0)).then_some(values)
     }
 
-    /// Whether planes separate a triangle by the length but for rounding from all faces.
+    /// Whether planes separate a triangle by the length but for rounding from all faces. A length that rounding may make zero separates nothing.
     fn is_beyond(&self, points: [DVec3; 3]) -> bool {
+        let least = self.length - self.rounding;
+        if least <= 0.0 {
+            return false;
+        }
         let Aabb { lower, upper } = Aabb::of_points(&points.map(|p| p.to_array()));
         let is_near = |aabb: &Aabb| {
             let gap = |k: usize| greater(greater(lower[k] - aabb.upper[k], aabb.lower[k] - upper[k]), 0.0);
             (0..3).map(|k| gap(k) * gap(k)).sum::<f64>() < self.length * self.length
         };
-        let least = self.length - self.rounding;
         let visit = |slot| {
             let face = self.bvh.corners(slot).map(DVec3::from_array);
             if are_separated(points, face, least) {

@@ -257,4 +257,16 @@ mod tests {
         let beyond = kept.mesh.positions().iter().skip(4).filter(|p| p[0].abs() < end - 1e-12).count();
         assert_eq!(beyond, 0);
     }
+
+    /// Of what lies in one plane with a smaller plate, that plate is at no distance.
+    #[test]
+    fn at_length_zero_what_coincides_stays() {
+        let all = grid([4.0, 1.0], [4, 1], Diagonal::Rising).unwrap();
+        let plate = grid([3.0, 1.0], [1, 1], Diagonal::Rising).unwrap();
+        let pair = PreparedPair::new(&all, &plate);
+        let whole = Part::of(&all, |_| true).unwrap();
+        let kept = DeviationOptions::default().within(&whole, &pair, Direction::AToB, 0.0).unwrap().unwrap();
+        assert_eq!((kept.left_out.faces, kept.left_out.cut), (0, 4));
+        assert!((kept.left_out.share.lower() - 0.25).abs() < 1e-2, "{:?}", kept.left_out);
+    }
 }
