@@ -38,6 +38,7 @@ use glam::DVec3;
 use polygon::{Polygon, Strip};
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot, Workspace};
 use segment::{Clip, Point, Seen};
+use std::collections::HashMap;
 
 /// The rounding of an overlay, in cuts: points inside T lie within 28 units of it and points of its sides within 9 (see
 /// [`rounding`](crate::rounding)), together less than the 40 units of four cuts.
@@ -63,6 +64,8 @@ pub(crate) enum Overlaid {
 #[derive(Default)]
 pub(crate) struct Overlay {
     slots: Vec<Slot>,
+    /// Places of slots, where there may be so many that looking through them takes longer.
+    places: HashMap<Slot, usize>,
     faces: Vec<Face>,
     points: Vec<Point>,
     strips: Vec<Strip>,
@@ -115,6 +118,7 @@ impl Overlay {
     ) -> Overlaid {
         self.most = most;
         self.slots.clear();
+        self.places.clear();
         self.faces.clear();
         self.points.clear();
         self.strips.clear();
@@ -125,8 +129,7 @@ impl Overlay {
         if view.is_steep(&corners, reversed) {
             return Overlaid::None;
         }
-        self.slots.push(start);
-        self.faces.push(Face { clips: [Clip::Unknown; 3], reversed });
+        self.push(start, Face { clips: [Clip::Unknown; 3], reversed });
         let mut next = 0;
         while next < self.slots.len() {
             if let Err(failed) = self.visit(next, view, below, workspace) {
@@ -192,7 +195,7 @@ impl Overlay {
         let Some(across) = below.neighbours.across(slot, edge) else { return Ok(false) };
         let reversed = reversed != across.same_direction;
         let segment = if across.same_direction { segment } else { segment.turned() };
-        if let Some(known) = self.slots.iter().position(|s| *s == across.slot) {
+        if let Some(known) = self.place_of(across.slot) {
             let face = &mut self.faces[known];
             if face.reversed != reversed || face.clips[across.edge] != Clip::Unknown {
                 return Err(Overlaid::None);
@@ -208,8 +211,23 @@ impl Overlay {
         }
         let mut clips = [Clip::Unknown; 3];
         clips[across.edge] = segment;
-        self.slots.push(across.slot);
-        self.faces.push(Face { clips, reversed });
+        self.push(across.slot, Face { clips, reversed });
         Ok(true)
+    }
+
+    fn push(&mut self, slot: Slot, face: Face) {
+        if self.most > MOST_FACES {
+            self.places.insert(slot, self.slots.len());
+        }
+        self.slots.push(slot);
+        self.faces.push(face);
+    }
+
+    fn place_of(&self, slot: Slot) -> Option<usize> {
+        if self.most > MOST_FACES {
+            self.places.get(&slot).copied()
+        } else {
+            self.slots.iter().position(|s| *s == slot)
+        }
     }
 }
