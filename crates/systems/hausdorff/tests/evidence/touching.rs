@@ -180,7 +180,7 @@ fn disc(count: u32) -> TriMesh {
 }
 
 /// Two discs of thin faces in one plane, about vertices in different places, so that each face of one crosses hundreds of the other: these are
-/// overlaid once. Parts of a face would cross as many, and took 105 million distances.
+/// overlaid once. Parts of a face would cross as many, and took 42 million distances.
 #[test]
 fn thin_faces_in_one_plane_take_few_distances() {
     let (coarse, fine) = (disc(128), disc(512));
