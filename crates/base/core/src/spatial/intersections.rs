@@ -111,8 +111,7 @@ pub fn self_intersections_in(
 /// # Accuracy
 /// Exact; see [`common_point`] for coordinates that differ in size.
 pub fn faces_intersect(one: &[[f64; 3]; 3], other: &[[f64; 3]; 3]) -> bool {
-    let apart = Plane::of(one).is_beside(other) || Plane::of(other).is_beside(one);
-    !apart && !are_separated(one, other) && common_point(one, other).is_some()
+    !Plane::of(one).is_apart_from(other) && common_point(one, other).is_some()
 }
 
 /// The pairs of the faces of some slots with those of later slots.
@@ -141,10 +140,7 @@ fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize
                 let mut faces = [bvh.face(slot), bvh.face(other)];
                 faces.sort_unstable();
                 let of_other = bvh.corners(other);
-                let apart = plane.is_beside(&of_other)
-                    || Plane::of(&of_other).is_beside(&corners)
-                    || are_separated(&corners, &of_other);
-                match if apart { None } else { common_point(&corners, &of_other) } {
+                match if plane.is_apart_from(&of_other) { None } else { common_point(&corners, &of_other) } {
                     Some(place) => found.pairs.push(IntersectingPair { faces, place }),
                     None => found.touching += usize::from(touch(mesh, faces)),
                 }
@@ -174,6 +170,13 @@ impl<'t> Plane<'t> {
         // Differences, products and sums are each off by half of epsilon, relative to the sum of magnitudes.
         let error = 16.0 * f64::EPSILON * ab.abs().element_sum() * ac.abs().element_sum();
         Self { corners, normal: ab.cross(ac), error }
+    }
+
+    /// Whether another triangle certainly meets this one in common corners only, as some plane between them shows.
+    fn is_apart_from(&self, other: &[[f64; 3]; 3]) -> bool {
+        self.is_beside(other)
+            || Plane::of(other).is_beside(self.corners)
+            || are_separated(self.corners, other)
     }
 
     /// Whether all corners of another triangle that are not corners of this one certainly lie on one side: then only common corners meet.
