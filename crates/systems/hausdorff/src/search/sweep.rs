@@ -159,14 +159,10 @@ impl Worker<'_> {
         let Some(view) = View::new(&piece.corners) else { return Settled::No(None) };
         let depth = piece.depth + OVERLAY_CUTS;
         let below = Below { bvh, neighbours, limit_sq: self.limit_sq(depth) };
-        let mut overlaid = self.overlay.run(&view, &below, start, MOST_FACES, &mut self.workspace);
-        let is_among_large =
-            matches!(overlaid, Overlaid::Many) && piece.size() <= longest_edge(&bvh.corners(start));
-        if is_among_large {
-            overlaid = self.overlay.run(&view, &below, start, MOST_LARGE_FACES, &mut self.workspace);
-        }
+        let is_among_large = piece.size() <= longest_edge(&bvh.corners(start));
+        let most = if is_among_large { MOST_LARGE_FACES } else { MOST_FACES };
         let mut also_near = start;
-        match overlaid {
+        match self.overlay.run(&view, &below, start, most, &mut self.workspace) {
             Overlaid::Covered(distance_sq) => {
                 if !self.overlay.keep_all {
                     self.raise_upper(distance_sq.sqrt() + self.limits.rounding.bound(depth));

@@ -64,7 +64,7 @@ pub(crate) enum Overlaid {
 #[derive(Default)]
 pub(crate) struct Overlay {
     slots: Vec<Slot>,
-    /// Places of slots, where there may be so many that looking through them takes longer.
+    /// Places of slots, once there are so many that looking through them takes longer.
     places: HashMap<Slot, usize>,
     faces: Vec<Face>,
     points: Vec<Point>,
@@ -216,7 +216,10 @@ impl Overlay {
     }
 
     fn push(&mut self, slot: Slot, face: Face) {
-        if self.most > MOST_FACES {
+        if self.slots.len() == MOST_FACES {
+            self.places.extend(self.slots.iter().zip(0..).map(|(slot, place)| (*slot, place)));
+        }
+        if self.slots.len() >= MOST_FACES {
             self.places.insert(slot, self.slots.len());
         }
         self.slots.push(slot);
@@ -224,7 +227,7 @@ impl Overlay {
     }
 
     fn place_of(&self, slot: Slot) -> Option<usize> {
-        if self.most > MOST_FACES {
+        if self.slots.len() > MOST_FACES {
             self.places.get(&slot).copied()
         } else {
             self.slots.iter().position(|s| *s == slot)
