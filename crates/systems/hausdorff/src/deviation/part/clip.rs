@@ -19,6 +19,21 @@ impl Side {
     }
 }
 
+/// A point of an edge, at this part of it, rounded: between both ends along each axis.
+pub(super) fn on_edge(p: [f64; 3], q: [f64; 3], t: f64) -> [f64; 3] {
+    [0, 1, 2].map(|k| {
+        let at = p[k] + t * (q[k] - p[k]);
+        let (low, high) = if p[k] < q[k] { (p[k], q[k]) } else { (q[k], p[k]) };
+        if at < low {
+            low
+        } else if at > high {
+            high
+        } else {
+            at
+        }
+    })
+}
+
 /// Where edges cross the sides of a box.
 struct Clipping {
     positions: Vec<[f64; 3]>,
@@ -55,18 +70,7 @@ impl Clipping {
             std::mem::swap(&mut p, &mut q);
         }
         let t = (side.at - p[side.axis]) / (q[side.axis] - p[side.axis]);
-        let between = |x: f64, y: f64| {
-            let at = x + t * (y - x);
-            let (low, high) = if x < y { (x, y) } else { (y, x) };
-            if at < low {
-                low
-            } else if at > high {
-                high
-            } else {
-                at
-            }
-        };
-        let mut at = [0, 1, 2].map(|k| between(p[k], q[k]));
+        let mut at = on_edge(p, q, t);
         at[side.axis] = side.at;
         self.positions.push(at);
         let crossing = (self.positions.len() - 1) as u32;

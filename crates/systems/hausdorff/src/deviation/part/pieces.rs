@@ -4,6 +4,7 @@
 //! divided along a line, if one is given, or halved at the middle of their longest edge, which the neighbours of a face do at the same point,
 //! until their edges are shorter than the finest that is looked at; then the answer for the middle counts.
 
+use super::clip::on_edge;
 use super::{Measured, Part};
 use crate::PreparedPair;
 use glam::DVec3;
@@ -137,11 +138,7 @@ impl Cutting {
     /// A point of an edge, neither of whose ends it is.
     fn between(&mut self, from: u32, to: u32, t: f64) -> Option<u32> {
         let [p, q] = [from, to].map(|v| self.positions[v as usize]);
-        let along = |x: f64, y: f64| {
-            let (low, high) = if x < y { (x, y) } else { (y, x) };
-            (x + t * (y - x)).clamp(low, high)
-        };
-        let at = [0, 1, 2].map(|k| along(p[k], q[k]));
+        let at = on_edge(p, q, t);
         (at != p && at != q).then(|| {
             self.positions.push(at);
             (self.positions.len() - 1) as u32

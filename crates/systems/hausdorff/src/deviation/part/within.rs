@@ -78,30 +78,25 @@ impl DeviationOptions<'_> {
             control: &control,
             observer: self.observer.unwrap_or(&()),
         };
+        let bvh = target.bvh();
+        let level = Level::new(bvh, frame.length_in(length), rounding);
         let mut most = 0.0;
         let within = part.cut(pair.whole(direction), finest(pair, &frame), &mut |mesh| {
             let order = morton_order(mesh, &Aabb::of_faces(mesh));
-            let bvh = target.bvh();
             let Some(vertices) = VertexDistances::limited(mesh, &frame, bvh, &order, &control) else {
                 return vec![Fate::LeftOut; mesh.faces().len()];
             };
             let farthest = comparison.farthest_if_within(mesh, &order, &vertices);
             most = farthest.iter().flatten().copied().fold(most, greater);
-            let mut fates: Vec<Fate> =
-                farthest.iter().map(|known| known.map_or(Fate::LeftOut, |_| Fate::Kept)).collect();
-            if !control.is_stopped() {
-                let level = Level::new(bvh, frame.length_in(length), rounding);
-                fates.par_iter_mut().enumerate().for_each_init(
-                    Workspace::default,
-                    |workspace, (face, fate)| {
-                        if *fate != Fate::Kept {
-                            let corners = mesh.corners(FaceId(face as u32)).map(|p| frame.map(p));
-                            *fate = level.fate(corners, vertices.of_corners(mesh.faces()[face]), workspace);
-                        }
-                    },
-                );
-            }
-            fates
+            let fate = |workspace: &mut Workspace, (face, known): (usize, &Option<f64>)| match known {
+                Some(_) => Fate::Kept,
+                None if control.is_stopped() => Fate::LeftOut,
+                None => {
+                    let corners = mesh.corners(FaceId(face as u32)).map(|p| frame.map(p));
+                    level.fate(corners, vertices.of_corners(mesh.faces()[face]), workspace)
+                }
+            };
+            farthest.par_iter().enumerate().map_init(Workspace::default, fate).collect()
         })?;
         // Faces that were kept piece by piece are whole again, and pieces are rounded.
         let rounding = if most > 0.0 { Part::ROUNDING * largest_coordinate(&within.mesh) } else { 0.0 };
