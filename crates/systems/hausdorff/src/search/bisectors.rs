@@ -97,7 +97,8 @@ impl Seen {
         let foot = weights[0] * a + weights[1] * b + weights[2] * c;
         let away = x - foot;
         let is_vertex = weights.contains(&1.0);
-        Self { foot, is_vertex, distance: away.length(), slope: away.normalize_or_zero() }
+        let slope = slope(away, &weights, [a, b, c]);
+        Self { foot, is_vertex, distance: away.length(), slope }
     }
 
     /// A linear function that is about as great as the other face is farther than this one: its value at the point, and its gradient.
@@ -110,6 +111,17 @@ impl Seen {
             (other.distance - self.distance, other.slope - self.slope)
         }
     }
+}
+
+/// The gradient of the distance from a face with these corners, given what leads to a point from the nearest point of the face and that one's
+/// weights. Inside a face it is a normal of the face: beside a distance of 1e-10 the nearest point's rounding turns `away` by 1e-6.
+fn slope(away: DVec3, weights: &[f64; 3], [a, b, c]: [DVec3; 3]) -> DVec3 {
+    let direction = away.normalize_or_zero();
+    if weights.contains(&0.0) {
+        return direction;
+    }
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    if normal == DVec3::ZERO { direction } else { normal * normal.dot(away).signum() }
 }
 
 /// Memory that cuts reuse: the faces, the distances from them, and the cells of the last piece.

@@ -71,6 +71,11 @@ impl Piece {
         (crossing.lesser_part() > least_part).then(|| crossing.parts(&corners))
     }
 
+    pub(crate) fn area(&self) -> f64 {
+        let [a, b, c] = self.corners.map(DVec3::from_array);
+        0.5 * (b - a).cross(c - a).length()
+    }
+
     /// Length of the longest edge.
     pub(crate) fn size(&self) -> f64 {
         longest_edge(&self.corners)

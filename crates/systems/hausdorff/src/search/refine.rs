@@ -10,6 +10,8 @@ use pompeiu_core::spatial::{Cover, Nearest, Slot};
 
 /// A cut that leaves this fraction of a piece on both sides needs no second thought.
 const LARGE_PART: f64 = 0.05;
+/// A part with more than this fraction of a piece is halved at once.
+const MOST_OF_A_PIECE: f64 = 0.75;
 /// Rows added to a game after its first solution.
 const GENERATED_ROWS: usize = 4;
 /// A new row must lower the bound by this part of its excess over the lower bound to be worth another.
@@ -193,6 +195,7 @@ impl Worker<'_> {
             self.query(piece.face, x, Nearest { slot, distance_sq });
         }
         self.out.work.cuts += cells.len() as u64 - 1;
+        let whole = piece.area();
         for (cell, farthest) in cells.iter().zip(farthest) {
             let slot = slots[cell.face];
             let depth = piece.depth + cell.cuts;
@@ -213,6 +216,10 @@ impl Worker<'_> {
                 };
                 if farthest <= self.limit_sq(depth) {
                     self.discard(part, distance, || SlotProof::Face(slot));
+                } else if part.area() > MOST_OF_A_PIECE * whole {
+                    // Where faces bend, what is linear around one point may cut off next to nothing, time and again.
+                    let near = (near, near_count);
+                    self.push_parts(&part, &part.bisect(), part.bound, near, false, stack);
                 } else {
                     stack.push(part);
                 }
