@@ -187,8 +187,7 @@ pub(crate) fn search(question: &Question<'_>, a: &TriMesh, b: &TriMesh) -> Direc
         face: FaceId(best.2),
         point: best.1,
         distance: nearest_distance,
-        nearest_face: FaceId(nearest as u32),
-        nearest_corners: corners(b, nearest),
+        nearest: (FaceId(nearest as u32), corners(b, nearest)),
     };
     let (witness, x) = farthest.witness(a, &frame);
     let lower = certify::distance_lower_bound(x, (0..b.faces().len()).map(|g| corners(b, g)));

@@ -149,7 +149,6 @@ fn farthest(count: usize, a: &TriMesh, b: &TriMesh, frame: &Frame) -> Farthest {
         face: FaceId(faces[lane] as u32),
         point: points[lane],
         distance: distance_sq.sqrt(),
-        nearest_face: FaceId(g as u32),
-        nearest_corners: corners(b, frame, g),
+        nearest: (FaceId(g as u32), corners(b, frame, g)),
     }
 }

@@ -93,6 +93,9 @@ pub(crate) fn search(
         reframed = target.reframed(&joint);
         &reframed
     };
+    // Proofs that an observer wants to see name the faces of B.
+    let own = if question.options.observer().wants_discards() { target.with_its_own_faces() } else { None };
+    let target = own.as_ref().unwrap_or(target);
     let rounding = Rounding::new(target.max_coordinate_with(a_box));
     let limits = question.limits(&joint, target.frame(), rounding);
     let stages = question.stages(&limits);
@@ -114,11 +117,10 @@ pub(crate) fn search(
         face: FaceId(found.face),
         point: found.point,
         distance: found.distance,
-        nearest_face: target.bvh().face(found.nearest),
-        nearest_corners: target.bvh().corners(found.nearest),
+        nearest: target.nearest_face(found.nearest, found.point),
     };
     let (witness, x) = farthest.witness(a, target.frame());
-    let lower = certified_lower(&x, &farthest, target.bvh(), rounding);
+    let lower = certified_lower(&x, &farthest, target, rounding);
     let (distance, stop, tolerance) =
         conclude(question, &limits, target.frame(), lower, result.upper, control.reason());
     DirectedReport {
@@ -136,8 +138,8 @@ pub(crate) struct Farthest {
     pub(crate) face: FaceId,
     pub(crate) point: [f64; 3],
     pub(crate) distance: f64,
-    pub(crate) nearest_face: FaceId,
-    pub(crate) nearest_corners: [[f64; 3]; 3],
+    /// With its corners.
+    pub(crate) nearest: (FaceId, [[f64; 3]; 3]),
 }
 
 impl Farthest {
@@ -146,21 +148,25 @@ impl Farthest {
         let corners = a.corners(self.face);
         let weights = closest_barycentric(self.point, corners.map(|p| frame.map(p)));
         let x = certify::point_in_frame(frame, corners, weights);
-        let barycentric = closest_barycentric(certify::middle(&x), self.nearest_corners);
-        let position = [0, 1, 2].map(|k| (0..3).map(|i| barycentric[i] * self.nearest_corners[i][k]).sum());
-        let to = SurfacePoint { face: self.nearest_face, barycentric, position: frame.unmap(position) };
+        let (face, corners) = self.nearest;
+        let barycentric = closest_barycentric(certify::middle(&x), corners);
+        let position = [0, 1, 2].map(|k| (0..3).map(|i| barycentric[i] * corners[i][k]).sum());
+        let to = SurfacePoint { face, barycentric, position: frame.unmap(position) };
         (Witness { from: SurfacePoint::new(a, self.face, weights), to }, x)
     }
 }
 
-/// A proven lower bound on the distance between the enclosed point and all triangles of a tree.
-fn certified_lower(x: &certify::Box3, farthest: &Farthest, bvh: &Bvh, rounding: Rounding) -> f64 {
+/// A proven lower bound on the distance between the enclosed point and what is measured to.
+fn certified_lower(x: &certify::Box3, farthest: &Farthest, target: &Target, rounding: Rounding) -> f64 {
+    let bvh = target.bvh();
     let middle = certify::middle(x);
     // Triangles not reported are farther than this from the middle, and so than what the search believes from x.
     let reach = farthest.distance + 4.0 * rounding.lower();
     let slots = slots_within(bvh, middle, reach);
     let near = certify::distance_lower_bound(*x, slots.into_iter().map(|slot| bvh.corners(slot)));
-    if near < farthest.distance { near } else { farthest.distance }
+    let lower = if near < farthest.distance { near } else { farthest.distance };
+    let moved = target.moved();
+    if moved > 0.0 { f64::max(0.0, (lower - moved).next_down()) } else { lower }
 }
 
 /// The triangles in leaves whose boxes come as near to a point as `reach`: all that have a point within `reach`, rounding included, and

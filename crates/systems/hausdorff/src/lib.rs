@@ -38,6 +38,7 @@ pub mod digits;
 mod engine;
 mod observer;
 mod options;
+mod planar;
 mod prepared;
 mod query;
 mod report;

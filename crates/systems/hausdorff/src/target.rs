@@ -1,10 +1,11 @@
 //! The mesh that distances are measured to, prepared for many questions.
 
-use pompeiu_core::TriMesh;
+use crate::planar::Retriangulated;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
-use pompeiu_core::spatial::{Bvh, Leaves, Neighbours};
-use std::sync::OnceLock;
+use pompeiu_core::spatial::{Bvh, Leaves, Neighbours, Slot};
+use pompeiu_core::{FaceId, TriMesh};
+use std::sync::{Arc, OnceLock};
 
 /// Bytes per face of the neighbours of a tree.
 pub(crate) const NEIGHBOURS: usize = 12;
@@ -22,6 +23,8 @@ pub struct Target {
     neighbours: OnceLock<Neighbours>,
     frame: Frame,
     aabb: Aabb,
+    /// The mesh of the tree where it has other faces than the one that is measured to.
+    other_faces: Option<Arc<Retriangulated>>,
 }
 
 impl Target {
@@ -41,8 +44,10 @@ impl Target {
         control: &Control,
     ) -> Option<Self> {
         let aabb = Aabb::of_faces(mesh);
-        let bvh = Bvh::build_unless_stopped(mesh, &aabb, &frame, leaves, control)?;
-        Some(Self::of_tree(bvh, frame, aabb))
+        let other_faces = Retriangulated::new(mesh, &frame).map(Arc::new);
+        let surface = other_faces.as_ref().map_or(mesh, |other| &other.mesh);
+        let bvh = Bvh::build_unless_stopped(surface, &aabb, &frame, leaves, control)?;
+        Some(Self { other_faces, ..Self::of_tree(bvh, frame, aabb) })
     }
 
     /// The same in a given frame, for one question.
@@ -50,10 +55,35 @@ impl Target {
         Self::unless_stopped(mesh, frame, leaves, &Control::default()).expect("nothing stops it")
     }
 
+    /// The same with the faces of the mesh, where the tree holds others.
+    pub(crate) fn with_its_own_faces(&self) -> Option<Self> {
+        let mesh = self.other_faces.as_ref()?.before();
+        let target = Self::of_tree(Bvh::build(&mesh, &self.frame), self.frame, self.aabb);
+        target.neighbours_in(&mesh);
+        Some(target)
+    }
+
     fn of_tree(bvh: Bvh, frame: Frame, aabb: Aabb) -> Self {
         #[cfg(test)]
         tests::TREES.with(|trees| trees.set(trees.get() + 1));
-        Self { bvh, neighbours: OnceLock::new(), frame, aabb }
+        Self { bvh, neighbours: OnceLock::new(), frame, aabb, other_faces: None }
+    }
+
+    /// The mesh whose faces the tree holds. `mesh` must be the one that the target was made of.
+    pub(crate) fn surface<'m>(&'m self, mesh: &'m TriMesh) -> &'m TriMesh {
+        self.other_faces.as_ref().map_or(mesh, |other| &other.mesh)
+    }
+
+    /// How far the surface of the tree may be from the mesh, in the frame.
+    pub(crate) fn moved(&self) -> f64 {
+        self.other_faces.as_ref().map_or(0.0, |other| other.moved)
+    }
+
+    /// The face of the mesh that is nearest to a point, with its corners, given one of the tree that is. In the frame.
+    pub(crate) fn nearest_face(&self, slot: Slot, point: [f64; 3]) -> (FaceId, [[f64; 3]; 3]) {
+        let face = self.bvh.face(slot);
+        let nearest = self.other_faces.as_ref().map(|other| other.nearest_before(face, point, &self.frame));
+        nearest.unwrap_or_else(|| (face, self.bvh.corners(slot)))
     }
 
     /// Number of faces.
@@ -68,7 +98,8 @@ impl Target {
 
     /// Bytes of memory held: about 97 per face.
     pub fn bytes(&self) -> usize {
-        self.bvh.bytes() + self.neighbours().map_or(0, Neighbours::bytes)
+        let of_faces = self.other_faces.as_ref().map_or(0, |other| other.bytes());
+        self.bvh.bytes() + self.neighbours().map_or(0, Neighbours::bytes) + of_faces
     }
 
     /// Bytes of memory that preparing a mesh with so many faces takes at most, its own not included.
@@ -86,7 +117,7 @@ impl Target {
 
     /// The neighbours, found at the first call. `mesh` must be the one that the target was made of.
     pub(crate) fn neighbours_in(&self, mesh: &TriMesh) -> &Neighbours {
-        self.neighbours.get_or_init(|| Neighbours::new(mesh, &self.bvh))
+        self.neighbours.get_or_init(|| Neighbours::new(self.surface(mesh), &self.bvh))
     }
 
     pub(crate) fn frame(&self) -> &Frame {
@@ -114,7 +145,12 @@ impl Target {
     pub(crate) fn reframed(&self, joint: &Aabb) -> Self {
         let frame = Frame::of(joint);
         let bvh = self.bvh.mapped(|p| frame.map(self.frame.unmap(p)));
-        Self { bvh, neighbours: self.neighbours.clone(), frame, aabb: self.aabb }
+        let other_faces = self.other_faces.as_ref().map(|other| {
+            let mut other = Retriangulated::clone(other);
+            other.moved = frame.length_in(self.frame.length_out(other.moved));
+            Arc::new(other)
+        });
+        Self { bvh, neighbours: self.neighbours.clone(), frame, aabb: self.aabb, other_faces }
     }
 }
 

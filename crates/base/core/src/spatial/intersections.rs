@@ -1,6 +1,6 @@
 //! Self-intersections: faces of a mesh that meet although they are not neighbours.
 
-use super::bvh::{Bvh, Slot};
+use super::bvh::{Bvh, OrientedBox, Slot};
 use crate::exact::common_point;
 use crate::geom::point_triangle::LANES;
 use crate::geom::{Aabb, Frame};
@@ -35,6 +35,9 @@ const TASK: usize = 256;
 
 /// Tasks between two checks of the number of pairs.
 const ROUND: usize = 256;
+
+/// Faces farther than this part of the greatest coordinate do not meet, whatever rounding does to an [`OrientedBox`].
+const BESIDE: f64 = 32.0 * f64::EPSILON;
 
 /// Finds the pairs of faces that intersect.
 ///
@@ -76,13 +79,14 @@ pub fn self_intersections_in(
 ) -> SelfIntersections {
     let slots: Vec<Slot> = bvh.slots().collect();
     let boxes: Vec<Aabb> = slots.par_iter().map(|s| Aabb::of_points(&bvh.corners(*s))).collect();
+    let beside = BESIDE * boxes.iter().map(Aabb::max_coordinate).fold(0.0, f64::max);
     let mut found = SelfIntersections { pairs: Vec::new(), touching: 0, complete: true };
     for round in slots.chunks(TASK * ROUND) {
         let of_task = |task: &[Slot]| {
             if control.is_stopped() {
                 SelfIntersections::default()
             } else {
-                of_task(mesh, bvh, &boxes, task, most_pairs)
+                of_task(mesh, bvh, (&boxes, beside), task, most_pairs)
             }
         };
         let tasks: Vec<SelfIntersections> = round.par_chunks(TASK).map(of_task).collect();
@@ -114,8 +118,14 @@ pub fn faces_intersect(one: &[[f64; 3]; 3], other: &[[f64; 3]; 3]) -> bool {
     !Plane::of(one).is_apart_from(other) && common_point(one, other).is_some()
 }
 
-/// The pairs of the faces of some slots with those of later slots.
-fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize) -> SelfIntersections {
+/// The pairs of the faces of some slots with those of later slots. Leaves farther than `beside` are left out.
+fn of_task(
+    mesh: &TriMesh,
+    bvh: &Bvh,
+    (boxes, beside): (&[Aabb], f64),
+    task: &[Slot],
+    most: usize,
+) -> SelfIntersections {
     let mut found = SelfIntersections { complete: true, ..SelfIntersections::default() };
     let (mut stack, mut leaves, mut others) = (Vec::new(), Vec::new(), Vec::new());
     // The tree is walked once for the faces of a leaf.
@@ -124,6 +134,10 @@ fn of_task(mesh: &TriMesh, bvh: &Bvh, boxes: &[Aabb], task: &[Slot], most: usize
         let (Some(around), Some(first)) = (of_group, group.first()) else { continue };
         leaves.clear();
         bvh.leaves_meeting(around.lower, around.upper, &mut stack, &mut leaves);
+        if let Some(mut oriented) = OrientedBox::along(bvh.corners(*first)) {
+            group.iter().flat_map(|slot| bvh.corners(*slot)).for_each(|corner| oriented.add(corner));
+            oriented.keep_near(bvh, &mut leaves, beside);
+        }
         others.clear();
         for (leaf, _) in &leaves {
             let slots = (0..LANES).map(|lane| bvh.slot_in(*leaf, lane));

@@ -163,7 +163,11 @@ impl DeviationOptions<'_> {
         }
         let target = prepared.target(direction, frame);
         let build = started.elapsed();
-        let pair = Pair { from, to, target: &target, direction, share, prepared, deadline, room, signed };
+        let surface = target.surface(to);
+        let neighbours = (!std::ptr::eq(surface, to) && signed.is_some()).then(|| neighbours(surface));
+        let signed = neighbours.as_ref().map_or(signed, Option::as_deref);
+        let pair =
+            Pair { from, to: surface, target: &target, direction, share, prepared, deadline, room, signed };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome

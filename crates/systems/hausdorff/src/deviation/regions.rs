@@ -8,6 +8,7 @@ use super::maxima::Maxima;
 use super::statistics::length_out;
 use crate::engine::Farthest;
 use crate::report::{Enclosure, Witness};
+use crate::target::Target;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::spatial::Workspace;
 use pompeiu_core::{FaceId, TriMesh};
@@ -54,6 +55,7 @@ impl Region {
 /// What regions are made of.
 pub(super) struct Peaks<'l> {
     mesh: &'l TriMesh,
+    target: &'l Target,
     /// For each vertex the least vertex at the same position.
     place: Vec<u32>,
     maxima: Maxima<'l>,
@@ -91,9 +93,9 @@ fn connected(entering: &mut Entering<'_>, entered: &[(f64, u32)], first: u32) ->
 }
 
 impl<'l> Peaks<'l> {
-    pub(super) fn new(mesh: &'l TriMesh, maxima: Maxima<'l>) -> Self {
+    pub(super) fn new(mesh: &'l TriMesh, target: &'l Target, maxima: Maxima<'l>) -> Self {
         let order = (0..mesh.faces().len() as u32).map(|face| (0.0, face)).collect();
-        let mut peaks = Self { mesh, place: places(mesh), maxima, order };
+        let mut peaks = Self { mesh, target, place: places(mesh), maxima, order };
         peaks.sort();
         peaks
     }
@@ -229,15 +231,14 @@ impl<'l> Peaks<'l> {
     }
 
     fn witness(&self, frame: &Frame, face: u32) -> Witness {
-        let bvh = self.maxima.scene.bvh;
+        let bvh = self.target.bvh();
         let point = self.maxima.of_faces[face as usize].max.point;
         let nearest = bvh.nearest(point, bvh.any_slot(), &mut Workspace::default());
         let farthest = Farthest {
             face: FaceId(face),
             point,
             distance: nearest.distance_sq.sqrt(),
-            nearest_face: bvh.face(nearest.slot),
-            nearest_corners: bvh.corners(nearest.slot),
+            nearest: self.target.nearest_face(nearest.slot, point),
         };
         farthest.witness(self.mesh, frame).0
     }

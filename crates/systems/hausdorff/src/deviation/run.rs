@@ -210,7 +210,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let wide: Vec<u32> = order.iter().copied().filter(|face| maxima.is_wide(*face, Precision::Map)).collect();
     maxima.narrow(&wide, Precision::Map, &mut |searched, left| tell(searched, left, stages::MAXIMA));
     let (regions, beyond_threshold, bounds) = if query.regions > 0 && !control_of_maxima.is_stopped() {
-        let mut peaks = Peaks::new(from, maxima);
+        let mut peaks = Peaks::new(from, target, maxima);
         let mut tell_of_regions = |searched: u64, left: usize| tell(searched, left, stages::REGIONS);
         peaks.settle(query.regions, asked.threshold, &mut tell_of_regions);
         let (regions, beyond_threshold) = peaks.regions(query.regions, asked.threshold);

@@ -190,7 +190,7 @@ fn covering_radius(a: &TriMesh, n: u32) -> f64 {
 
 /// Everything that a directed report claims, against samples: exactly where a sample is a witness, within what lies between
 /// samples for numbers over the area.
-fn check(a: &TriMesh, b: &TriMesh, report: &DirectedDeviation, threshold: f64, n: u32) {
+pub(crate) fn check(a: &TriMesh, b: &TriMesh, report: &DirectedDeviation, threshold: f64, n: u32) {
     let slack = 1e-13 * largest_coordinate(&[a, b]);
     let samples = samples(a, b, n);
     for (face, distance, _) in &samples {

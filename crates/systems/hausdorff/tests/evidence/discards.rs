@@ -52,7 +52,7 @@ fn spread_points() -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-fn check(a: &TriMesh, b: &TriMesh) -> usize {
+pub(crate) fn check(a: &TriMesh, b: &TriMesh) -> usize {
     let seen = Discards::default();
     let options = HausdorffOptions { observer: Some(&seen), ..HausdorffOptions::default() };
     let report = options.directed(a, b).unwrap();

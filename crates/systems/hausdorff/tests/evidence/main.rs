@@ -9,6 +9,7 @@ mod classic;
 mod determinism;
 mod deviation;
 mod discards;
+mod fans;
 mod first_answer;
 mod hard;
 mod limits;

@@ -76,7 +76,7 @@ fn agrees(found: &DirectedDeviation, values: &[f64], width: f64) {
 
 /// The winding number about a vertex or a centroid is what it is by summing all faces.
 #[track_caller]
-fn sides_agree(found: &DirectedDeviation, from: &TriMesh, to: &TriMesh) {
+pub(crate) fn sides_agree(found: &DirectedDeviation, from: &TriMesh, to: &TriMesh) {
     let winding = Winding::new(to);
     let sides = found.sides.as_ref().unwrap();
     for (p, number) in from.positions().iter().zip(&sides.vertex_winding) {

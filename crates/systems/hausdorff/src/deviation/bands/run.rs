@@ -104,6 +104,7 @@ impl Question<'_> {
             return self.unknown(found, other, &control);
         };
         let neighbours = target.neighbours_in(other);
+        let other = target.surface(other);
         let largest = frame.length_in(found.distance.distance.upper()).next_up();
         let faces = Faces {
             mesh,
