@@ -1,33 +1,43 @@
 //! Thin faces of B in one plane, in another triangulation of the same region that a line crosses few faces of.
 //!
 //! The end of a tessellated cylinder is a fan: n faces that meet in one vertex, of which a face of another fan crosses up to n. The same
-//! polygon in a triangulation whose ears are cut off in rounds, every other vertex in each, has about 2 log n along any line. B is only measured to, and as
-//! a set of points it is the same.
+//! polygon in a triangulation whose ears are cut off in rounds, every other vertex in each, has about 2 log n along any line. Polygons that are not convex or have holes, as
+//! plates do, get a constrained Delaunay triangulation with points inside whose spacing grows with the way to the boundary. B is only measured to, and as a set of points it is the same.
 //!
 //! # Why it is the same set
 //! Faces are looked at along an axis, and all turn the same way there, exactly (`shewchuk_predicates_1997`). So the number of faces over a point is how often
 //! the boundary of the faces winds around it: a point is covered where that is not zero. Both triangulations have the same boundary and turn the same way, so they
-//! cover the same points. Heights over the plane of the axes are interpolated from those of the same vertices, and differ by at most the width
-//! of a layer that contains these: [`Retriangulated::moved`]. It is zero for vertices with one coordinate in common.
+//! cover the same points. Heights over the plane of the axes are interpolated from those of vertices, and differ by at most the width
+//! of a layer that contains all of them: [`Retriangulated::moved`]. It is zero for vertices with one coordinate in common.
+//!
+//! # Source
+//! Points inside, as centres of the squares of a quadtree: `bern_provably_1994`; triangulations by the crate `spade`.
 
 use glam::DVec3;
 use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::{FaceId, TriMesh};
 use robust::{Coord, orient2d};
-use std::collections::{BTreeMap, HashMap};
+use spade::{
+    ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, PositionInTriangulation,
+    RefinementParameters, Triangulation,
+};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// A face is thin if its longest edge has more than this many times its height.
 const THIN: f64 = 8.0;
 /// Faces that are looked at before all are, and how many of them must be thin.
 const SAMPLE: usize = 1024;
 const LEAST_IN_SAMPLE: usize = 8;
-/// A patch of fewer faces is left alone.
+/// A patch in which fewer thin faces meet in any vertex is left alone: lines along them cross few.
 const LEAST_FACES: usize = 16;
 /// The sine of the angle between faces that may be in one plane; the layer of all vertices decides.
 const MOST_ANGLE: f64 = 1e-6;
 /// The width of the layer of a patch, in units of the last place of the coordinates. The model of rounding has room for it (see `rounding`).
 pub(crate) const MOST_MOVED: f64 = 10.0;
+
+/// How many points are added at most for each on the boundary.
+const MOST_POINTS: usize = 32;
 
 /// A mesh with patches of thin faces in another triangulation.
 #[derive(Clone, Debug)]
@@ -53,16 +63,30 @@ impl Retriangulated {
             return None;
         }
         let thin: Vec<u32> = (0..count).filter(|face| is_thin(corners(*face))).collect();
+        // Most meshes have none, which is known before the edges of all faces are.
+        if patches_of(mesh, &thin, &corners).is_empty() {
+            return None;
+        }
+        let all: Vec<u32> = (0..count).collect();
+        let mut found = patches_of(mesh, &all, &corners);
+        found.retain(|patch| {
+            let thin = patch.iter().filter(|face| is_thin(corners(**face)));
+            let mut met: Vec<u32> = thin.flat_map(|face| mesh.faces()[*face as usize]).collect();
+            met.sort_unstable();
+            met.chunk_by(|v, w| v == w).any(|faces| faces.len() >= LEAST_FACES)
+        });
         let unit = 0.5 * f64::EPSILON * f64::max(0.25, frame.max_coordinate(&Aabb::of_faces(mesh)));
         let mut moved = 0.0;
         let mut patches = Vec::new();
         let mut faces = Vec::new();
         let mut patch_of = Vec::new();
-        for patch in patches_of(mesh, &thin, &corners) {
-            let Some((other, by)) = retriangulate(mesh, frame, &patch, MOST_MOVED * unit) else { continue };
-            moved = if by > moved { by } else { moved };
-            patch_of.extend(other.iter().map(|_| patches.len() as u32));
-            faces.extend(other);
+        let mut positions = mesh.positions().to_vec();
+        for patch in found {
+            let Some(seen) = Seen::new(mesh, frame, &patch) else { continue };
+            let Some(other) = seen.other_faces(&mut positions, &patch, MOST_MOVED * unit) else { continue };
+            moved = if other.1 > moved { other.1 } else { moved };
+            patch_of.extend(other.0.iter().map(|_| patches.len() as u32));
+            faces.extend(other.0);
             patches.push(patch);
         }
         if patches.is_empty() {
@@ -77,7 +101,7 @@ impl Retriangulated {
         let with_corners = |face: u32| (face, mesh.faces()[face as usize]);
         let patches =
             patches.into_iter().map(|patch| patch.into_iter().map(with_corners).collect()).collect();
-        let mesh = TriMesh::new(mesh.positions().to_vec(), faces).ok()?;
+        let mesh = TriMesh::new(positions, faces).ok()?;
         Some(Self { mesh, moved, kept, patch_of, patches })
     }
 
@@ -121,22 +145,22 @@ fn is_thin([a, b, c]: [DVec3; 3]) -> bool {
     longest_sq > THIN * (b - a).cross(c - a).length()
 }
 
-/// Thin faces that are connected across edges and nearly in one plane.
-fn patches_of(mesh: &TriMesh, thin: &[u32], corners: &impl Fn(u32) -> [DVec3; 3]) -> Vec<Vec<u32>> {
-    let mut edges: Vec<([u32; 2], bool, u32)> = Vec::with_capacity(3 * thin.len());
-    for (i, face) in (0..).zip(thin) {
+/// Of some faces those that are connected across edges and nearly in one plane, where they are many.
+fn patches_of(mesh: &TriMesh, faces: &[u32], corners: &impl Fn(u32) -> [DVec3; 3]) -> Vec<Vec<u32>> {
+    let mut edges: Vec<([u32; 2], bool, u32)> = Vec::with_capacity(3 * faces.len());
+    for (i, face) in (0..).zip(faces) {
         let [a, b, c] = mesh.faces()[*face as usize];
         edges.extend([[a, b], [b, c], [c, a]].map(|[p, q]| ([p.min(q), p.max(q)], p < q, i)));
     }
     edges.sort_unstable();
-    let normals: Vec<DVec3> = thin
+    let normals: Vec<DVec3> = faces
         .iter()
         .map(|face| {
             let [a, b, c] = corners(*face);
             (b - a).cross(c - a).normalize_or_zero()
         })
         .collect();
-    let mut first: Vec<u32> = (0..thin.len() as u32).collect();
+    let mut first: Vec<u32> = (0..faces.len() as u32).collect();
     for two in edges.chunk_by(|e, f| e.0 == f.0) {
         let &[(_, d, i), (_, e, j)] = two else { continue };
         let (m, n) = (normals[i as usize], normals[j as usize]);
@@ -146,7 +170,7 @@ fn patches_of(mesh: &TriMesh, thin: &[u32], corners: &impl Fn(u32) -> [DVec3; 3]
         }
     }
     let mut patches: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for (i, face) in (0..).zip(thin) {
+    for (i, face) in (0..).zip(faces) {
         patches.entry(first_of(&mut first, i)).or_default().push(*face);
     }
     patches.into_values().filter(|patch| patch.len() >= LEAST_FACES).collect()
@@ -161,51 +185,178 @@ fn first_of(first: &mut [u32], mut i: u32) -> u32 {
     i
 }
 
-/// Other faces for those of a patch, and how far they are from these, no more than `most`; none where that is not known or the boundary is not one polygon
-/// whose ears can be cut off.
-fn retriangulate(mesh: &TriMesh, frame: &Frame, patch: &[u32], most: f64) -> Option<(Vec<[u32; 3]>, f64)> {
-    let place = |vertex: u32| frame.map(mesh.positions()[vertex as usize]);
-    let normal: DVec3 = patch
-        .iter()
-        .map(|face| {
-            let [a, b, c] = mesh.faces()[*face as usize].map(|v| DVec3::from_array(place(v)));
-            (b - a).cross(c - a)
-        })
-        .sum();
-    let size = normal.abs();
-    let axis = if size.x >= size.y && size.x >= size.z {
-        0
-    } else if size.y >= size.z {
-        1
-    } else {
-        2
-    };
-    let (x, y) =
-        if normal[axis] > 0.0 { ((axis + 1) % 3, (axis + 2) % 3) } else { ((axis + 2) % 3, (axis + 1) % 3) };
-    let seen = |vertex: u32| {
-        let p = place(vertex);
-        Coord { x: p[x], y: p[y] }
-    };
-    let turns_left = |[a, b, c]: [u32; 3]| orient2d(seen(a), seen(b), seen(c)) > 0.0;
-    if !patch.iter().all(|face| turns_left(mesh.faces()[*face as usize])) {
-        return None;
-    }
-    let points: Vec<[f64; 3]> =
-        vertices(mesh, patch).into_iter().map(place).map(|p| [p[x], p[y], p[axis]]).collect();
-    let slopes = fitted(&points, [-normal[x] / normal[axis], -normal[y] / normal[axis]]);
-    let (least, greatest) = ends(&heights(&points, slopes));
-    let width = greatest - least;
-    if width > most {
-        return None;
-    }
-    Some((cut_ears(boundary(mesh, patch)?, turns_left)?, width))
+/// A patch as it is seen along an axis, so that its faces turn left.
+struct Seen<'m> {
+    mesh: &'m TriMesh,
+    frame: &'m Frame,
+    /// The axes of the picture, and that along which it is seen.
+    axes: [usize; 3],
+    /// Of the plane that is nearest to the vertices.
+    slopes: [f64; 2],
+    /// A vertex, in these axes.
+    vertex: [f64; 3],
 }
 
-fn vertices(mesh: &TriMesh, patch: &[u32]) -> Vec<u32> {
-    let mut vertices: Vec<u32> = patch.iter().flat_map(|face| mesh.faces()[*face as usize]).collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    vertices
+impl<'m> Seen<'m> {
+    fn new(mesh: &'m TriMesh, frame: &'m Frame, patch: &[u32]) -> Option<Self> {
+        let place = |vertex: u32| frame.map(mesh.positions()[vertex as usize]);
+        let normal: DVec3 = patch
+            .iter()
+            .map(|face| {
+                let [a, b, c] = mesh.faces()[*face as usize].map(|v| DVec3::from_array(place(v)));
+                (b - a).cross(c - a)
+            })
+            .sum();
+        let axis = (1..3).fold(0, |most, k| if normal[k].abs() > normal[most].abs() { k } else { most });
+        let (next, after) = ((axis + 1) % 3, (axis + 2) % 3);
+        let axes = if normal[axis] > 0.0 { [next, after, axis] } else { [after, next, axis] };
+        let [x, y, z] = axes;
+        let mut vertices: Vec<u32> = patch.iter().flat_map(|face| mesh.faces()[*face as usize]).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let points: Vec<[f64; 3]> = vertices.into_iter().map(place).map(|p| axes.map(|k| p[k])).collect();
+        let slopes = fitted(&points, [-normal[x] / normal[z], -normal[y] / normal[z]]);
+        let seen = Self { mesh, frame, axes, slopes, vertex: *points.first()? };
+        let are_seen =
+            patch.iter().all(|face| turns_left(mesh.faces()[*face as usize].map(|v| seen.at(place(v)))));
+        are_seen.then_some(seen)
+    }
+
+    /// A point of the frame in the picture.
+    fn at(&self, p: [f64; 3]) -> Coord<f64> {
+        Coord { x: p[self.axes[0]], y: p[self.axes[1]] }
+    }
+
+    /// The position of the point of the plane that is seen at a place.
+    fn position(&self, x: f64, y: f64) -> [f64; 3] {
+        let z =
+            self.vertex[2] + self.slopes[0] * (x - self.vertex[0]) + self.slopes[1] * (y - self.vertex[1]);
+        let mut p = [0.0; 3];
+        for (axis, value) in self.axes.into_iter().zip([x, y, z]) {
+            p[axis] = value;
+        }
+        self.frame.unmap(p)
+    }
+
+    /// Other faces for those of a patch, whose further vertices are appended, and how far they are from these, no more than `most`; none where that
+    /// is not known.
+    fn other_faces(
+        &self,
+        positions: &mut Vec<[f64; 3]>,
+        patch: &[u32],
+        most: f64,
+    ) -> Option<(Vec<[u32; 3]>, f64)> {
+        let count = positions.len();
+        let boundary = boundary(patch.iter().map(|face| self.mesh.faces()[*face as usize]))?;
+        let faces = self.triangulate(positions, &boundary).filter(|faces| {
+            let place = |v: u32| self.at(self.frame.map(positions[v as usize]));
+            faces.iter().all(|face| turns_left(face.map(place)))
+                && self::boundary(faces.iter().copied()).as_ref() == Some(&boundary)
+        });
+        let of_patch = patch.iter().map(|face| self.mesh.faces()[*face as usize]);
+        let points: Vec<[f64; 3]> = (of_patch.chain(faces.iter().flatten().copied()).flatten())
+            .map(|v| self.frame.map(positions[v as usize]))
+            .map(|p| self.axes.map(|k| p[k]))
+            .collect();
+        let (least, greatest) = ends(&heights(&points, self.slopes));
+        let width = greatest - least;
+        if faces.is_none() || width > most {
+            positions.truncate(count);
+        }
+        faces.filter(|_| width <= most).map(|faces| (faces, width))
+    }
+
+    fn triangulate(&self, positions: &mut Vec<[f64; 3]>, boundary: &[[u32; 2]]) -> Option<Vec<[u32; 3]>> {
+        let place = |v: u32| self.at(self.frame.map(positions[v as usize]));
+        let around = polygon(boundary);
+        let by_ears = around.and_then(|polygon| cut_ears(polygon, |ear| turns_left(ear.map(place))));
+        by_ears.or_else(|| self.refine(positions, boundary))
+    }
+
+    /// A constrained Delaunay triangulation of what is left of edges, with points inside.
+    fn refine(&self, positions: &mut Vec<[f64; 3]>, boundary: &[[u32; 2]]) -> Option<Vec<[u32; 3]>> {
+        let vertices: Vec<u32> =
+            boundary.iter().map(|edge| edge[0]).collect::<BTreeSet<_>>().into_iter().collect();
+        let place = |v: &u32| {
+            let Coord { x, y } = self.at(self.frame.map(positions[*v as usize]));
+            Point2::new(x, y)
+        };
+        let corners: Vec<Point2<f64>> = vertices.iter().map(place).collect();
+        let local = |v: u32| vertices.binary_search(&v).unwrap_or(0);
+        let edges: Vec<[usize; 2]> = boundary.iter().map(|edge| edge.map(local)).collect();
+        let further = points_inside(&corners, &edges)?;
+        let mut crossed = false;
+        let mut made =
+            ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(corners, edges, |_| {
+                crossed = true;
+            })
+            .ok()?;
+        if crossed || made.num_vertices() != vertices.len() {
+            return None;
+        }
+        for point in further {
+            let is_on_boundary = match made.locate(point) {
+                PositionInTriangulation::OnEdge(edge) => made.directed_edge(edge).is_constraint_edge(),
+                PositionInTriangulation::OnFace(_) => false,
+                _ => true,
+            };
+            if !is_on_boundary {
+                made.insert(point).ok()?;
+            }
+        }
+        // What is outside is found before any point would be added.
+        let outside = made
+            .refine(RefinementParameters::new().exclude_outer_faces(true).with_max_additional_vertices(0));
+        let outside: HashSet<_> = outside.excluded_faces.into_iter().collect();
+        let first = positions.len() as u32;
+        let further = made.vertices().skip(vertices.len()).map(|v| v.position());
+        positions.extend(further.map(|point| self.position(point.x, point.y)));
+        let number = |index: usize| {
+            index
+                .checked_sub(vertices.len())
+                .map_or_else(|| vertices[index], |further| first + further as u32)
+        };
+        let inside = made.inner_faces().filter(|face| !outside.contains(&face.fix()));
+        Some(inside.map(|face| face.vertices().map(|v| number(v.fix().index()))).collect())
+    }
+}
+
+/// Centres of squares that are about as large as the nearest corner is far, and next to it as its shortest edge is long; none where they are too many.
+fn points_inside(corners: &[Point2<f64>], edges: &[[usize; 2]]) -> Option<Vec<Point2<f64>>> {
+    let mut spacing = vec![f64::INFINITY; corners.len()];
+    for edge in edges {
+        let length = corners[edge[0]].distance_2(corners[edge[1]]).sqrt();
+        for corner in edge {
+            spacing[*corner] = f64::min(spacing[*corner], length);
+        }
+    }
+    let near = DelaunayTriangulation::<Point2<f64>>::bulk_load_stable(corners.to_vec()).ok()?;
+    let range = |of: fn(&Point2<f64>) -> f64| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        corners.iter().map(of).fold(ends, |(low, high), x| (f64::min(low, x), f64::max(high, x)))
+    };
+    let ((left, right), (below, above)) = (range(|p| p.x), range(|p| p.y));
+    let half = 0.5 * f64::max(right - left, above - below);
+    let mut squares = vec![(Point2::new(0.5 * (left + right), 0.5 * (below + above)), half)];
+    let mut points = Vec::new();
+    while let Some((centre, half)) = squares.pop() {
+        let nearest = near.nearest_neighbor(centre)?;
+        let reach = nearest.position().distance_2(centre).sqrt() + spacing.get(nearest.fix().index())?;
+        if 2.0 * half <= reach {
+            points.push(centre);
+        } else if points.len() + squares.len() < MOST_POINTS * corners.len() {
+            let half = 0.5 * half;
+            let quarters = [(-half, -half), (-half, half), (half, -half), (half, half)];
+            squares.extend(quarters.map(|(x, y)| (Point2::new(centre.x + x, centre.y + y), half)));
+        } else {
+            return None;
+        }
+    }
+    Some(points)
+}
+
+fn turns_left([a, b, c]: [Coord<f64>; 3]) -> bool {
+    orient2d(a, b, c) > 0.0
 }
 
 /// The height of a point over the plane through zero with given slopes, as a sum of two.
@@ -253,31 +404,34 @@ fn fitted(points: &[[f64; 3]], slopes: [f64; 2]) -> [f64; 2] {
     if better.iter().all(|slope| slope.is_finite()) { better } else { slopes }
 }
 
-/// The vertices around the faces of a patch, if these are one polygon that passes each once.
-fn boundary(mesh: &TriMesh, patch: &[u32]) -> Option<Vec<u32>> {
-    let mut next: HashMap<u32, u32> = HashMap::new();
-    let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * patch.len());
-    for face in patch {
-        let [a, b, c] = mesh.faces()[*face as usize];
-        edges.extend([[a, b], [b, c], [c, a]]);
-    }
+/// The edges of faces that no other runs through the other way, in order; none where two run through one the same way.
+fn boundary(faces: impl Iterator<Item = [u32; 3]>) -> Option<Vec<[u32; 2]>> {
+    let mut edges: Vec<[u32; 2]> = faces.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
     edges.sort_unstable();
     if edges.windows(2).any(|two| two[0] == two[1]) {
         return None;
     }
-    for [p, q] in &edges {
-        if edges.binary_search(&[*q, *p]).is_err() && next.insert(*p, *q).is_some() {
-            return None;
-        }
+    let is_free = |[p, q]: &[u32; 2]| edges.binary_search(&[*q, *p]).is_err();
+    Some(edges.iter().copied().filter(is_free).collect())
+}
+
+/// The vertices along edges, if these are one polygon that passes each once.
+fn polygon(edges: &[[u32; 2]]) -> Option<Vec<u32>> {
+    if edges.windows(2).any(|two| two[0][0] == two[1][0]) {
+        return None;
     }
-    let start = *next.keys().min()?;
+    let next = |vertex: u32| {
+        let place = edges.binary_search_by_key(&vertex, |edge| edge[0]).ok()?;
+        Some(edges[place][1])
+    };
+    let start = edges.first()?[0];
     let mut polygon = vec![start];
-    let mut at = *next.get(&start)?;
-    while at != start {
+    let mut at = next(start)?;
+    while at != start && polygon.len() < edges.len() {
         polygon.push(at);
-        at = *next.get(&at)?;
+        at = next(at)?;
     }
-    (polygon.len() == next.len()).then_some(polygon)
+    (at == start && polygon.len() == edges.len()).then_some(polygon)
 }
 
 /// A triangulation of a convex polygon by rounds in which every other ear is cut off. None where that comes to no end, as it may
@@ -381,6 +535,42 @@ mod tests {
                 let (face, corners) = other.nearest_before(FaceId(nearest as u32), p, &frame);
                 prop_assert_eq!(corners, before[face.index()]);
                 prop_assert!((distance - point_triangles(p, &[corners])).abs() < other.moved + 1e-15);
+            }
+        }
+    }
+
+    /// A square with a round hole in it of so many corners, each edge of which is joined to a corner of the square.
+    fn plate(n: u32, by: &Affine) -> TriMesh {
+        let rim =
+            (0..n).map(|i| TAU * f64::from(i) / f64::from(n)).map(|t| [0.5 * t.cos(), 0.5 * t.sin(), 0.0]);
+        let square = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [1.0, -1.0, 0.0]];
+        let fans = (0..n).map(|i| [(i + 1) % n, i, n + 4 * i / n]);
+        let between = (0..4).map(|q| [(q + 1) * n / 4 % n, n + q, n + (q + 1) % 4]);
+        let mesh = TriMesh::new(rim.chain(square).collect(), fans.chain(between).collect()).unwrap();
+        transform(&mesh, by).unwrap()
+    }
+
+    /// Around a hole points inside make the faces thicker; the boundary stays.
+    #[test]
+    fn a_plate_with_a_hole() {
+        for by in [Affine::translate([0.0; 3]), Affine::rotate([0.3, -0.5, 0.8], 71.0).unwrap()] {
+            let mesh = plate(96, &by);
+            let frame = Frame::of(&Aabb::of_faces(&mesh));
+            let other = Retriangulated::new(&mesh, &frame).unwrap();
+            assert!(other.mesh.positions().len() > mesh.positions().len());
+            assert_eq!(other.before().faces(), mesh.faces());
+            assert_eq!(other.moved > 0.0, by.linear[0][0] != 1.0);
+            let thin = |mesh: &TriMesh| {
+                let corners = |f| mesh.corners(f).map(DVec3::from_array);
+                mesh.face_ids().filter(|f| is_thin(corners(*f))).count()
+            };
+            assert!(thin(&mesh) >= 80 && thin(&other.mesh) <= 20, "{} {}", thin(&mesh), thin(&other.mesh));
+            let (before, after) = (triangles(&mesh, &frame), triangles(&other.mesh, &frame));
+            for i in 0..400 {
+                let [x, y] = [i % 20, i / 20].map(|k| 2.2 * (f64::from(k) + 0.5) / 20.0 - 1.1);
+                let p = frame.map(by.apply([x, y, 0.1 * x * y]));
+                let distance = point_triangles(p, &before);
+                assert!((distance - point_triangles(p, &after)).abs() < other.moved + 1e-15);
             }
         }
     }
