@@ -17,6 +17,7 @@ use glam::DVec3;
 use pompeiu_core::geom::point_triangle::distance_sq;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::{FaceId, TriMesh};
+use rayon::prelude::*;
 use robust::{Coord, orient2d};
 use spade::{
     ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, PositionInTriangulation,
@@ -62,7 +63,7 @@ impl Retriangulated {
         if in_sample < LEAST_IN_SAMPLE {
             return None;
         }
-        let thin: Vec<u32> = (0..count).filter(|face| is_thin(corners(*face))).collect();
+        let thin: Vec<u32> = (0..count).into_par_iter().filter(|face| is_thin(corners(*face))).collect();
         // Most meshes have none, which is known before the edges of all faces are.
         if patches_of(mesh, &thin, &corners).is_empty() {
             return None;
