@@ -19,7 +19,7 @@
 //! **A mixture** of at most 8 such distances, with weights divided by their sum, is off by `11 u` relative: below 39.
 //! With the former, below 82, and below 84 with the frame's: [`EVALUATION`] leaves room.
 //!
-//! **Other faces for some in one plane** (`planar.rs`) may be 10 from them, `MOST_MOVED`: with the former below 94. The certified lower bound is lowered by how far
+//! **Other faces for some in one plane** (`planar`) may be 10 from them, `MOST_MOVED`: with the former below 94. The certified lower bound is lowered by how far
 //! they are.
 //!
 //! **A cut** places its end points at `p + t (q - p)`: 2 for the difference, 2 for the product, 1 for the sum per

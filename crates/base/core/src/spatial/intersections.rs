@@ -1,6 +1,6 @@
 //! Self-intersections: faces of a mesh that meet although they are not neighbours.
 
-use super::bvh::{Bvh, OrientedBox, Slot};
+use super::bvh::{Bvh, Slot};
 use crate::exact::common_point;
 use crate::geom::point_triangle::LANES;
 use crate::geom::{Aabb, Frame};
@@ -36,7 +36,7 @@ const TASK: usize = 256;
 /// Tasks between two checks of the number of pairs.
 const ROUND: usize = 256;
 
-/// Faces farther than this part of the greatest coordinate do not meet, whatever rounding does to an [`OrientedBox`].
+/// Faces farther than this part of the greatest coordinate do not meet, whatever rounding does (see [`Bvh::keep_leaves_near`]).
 const BESIDE: f64 = 32.0 * f64::EPSILON;
 
 /// Finds the pairs of faces that intersect.
@@ -134,10 +134,8 @@ fn of_task(
         let (Some(around), Some(first)) = (of_group, group.first()) else { continue };
         leaves.clear();
         bvh.leaves_meeting(around.lower, around.upper, &mut stack, &mut leaves);
-        if let Some(mut oriented) = OrientedBox::along(bvh.corners(*first)) {
-            group.iter().flat_map(|slot| bvh.corners(*slot)).for_each(|corner| oriented.add(corner));
-            oriented.keep_near(bvh, &mut leaves, beside);
-        }
+        let corners = group.iter().flat_map(|slot| bvh.corners(*slot));
+        bvh.keep_leaves_near(&mut leaves, bvh.corners(*first), corners, beside);
         others.clear();
         for (leaf, _) in &leaves {
             let slots = (0..LANES).map(|lane| bvh.slot_in(*leaf, lane));

@@ -3,7 +3,7 @@
 //! # What is proven
 //! On a cell over F faces behind the plane of F, raised by their greatest rise over it, are no nearer than that plane; each other face
 //! is no nearer than a plane of its own (`fronts`, `candidates`); and faces that do not meet the box around the cell, or a box along the edges of its face
-//! ([`OrientedBox`]), widened by the greatest value above, are no nearer than that value, while the function below is nowhere greater, because F lies
+//! ([`Bvh::keep_leaves_near`]), widened by the greatest value above, are no nearer than that value, while the function below is nowhere greater, because F lies
 //! behind its plane.
 
 use super::behind::{Plane, rising, tilted};
@@ -14,7 +14,7 @@ use super::walk::Walk;
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::geom::point_triangle::LANES;
-use pompeiu_core::spatial::bvh::{Leaf, OrientedBox};
+use pompeiu_core::spatial::bvh::Leaf;
 use pompeiu_core::spatial::{Bvh, Slot};
 
 /// A part of a face of A over one face of B.
@@ -73,16 +73,12 @@ impl<'b> Compare<'b> {
         self.candidates.clear();
         self.leaves.clear();
         self.bvh.leaves_meeting(lower, upper, &mut self.walk, &mut self.leaves);
-        if let Some(mut around) = OrientedBox::along(scale.corners.map(|p| p.to_array())) {
-            let mut most = 0.0;
-            for cell in cells {
-                most = if cell.most > most { cell.most } else { most };
-                for j in 0..MOST_CORNERS {
-                    around.add([cell.points[0][j], cell.points[1][j], cell.points[2][j]]);
-                }
-            }
-            around.keep_near(self.bvh, &mut self.leaves, most + 2.0 * scale.margin);
-        }
+        let most = cells.iter().fold(0.0, |most, cell| if cell.most > most { cell.most } else { most });
+        let corners = cells
+            .iter()
+            .flat_map(|Cell { points: [x, y, z], .. }| (0..MOST_CORNERS).map(|j| [x[j], y[j], z[j]]));
+        let face = scale.corners.map(|p| p.to_array());
+        self.bvh.keep_leaves_near(&mut self.leaves, face, corners, most + 2.0 * scale.margin);
     }
 
     /// Bounds the distance on one of the cells; none if too many faces are near.

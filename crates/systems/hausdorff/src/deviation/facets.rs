@@ -5,7 +5,7 @@
 //! cells asked before.
 //!
 //! # What is proven
-//! Let F be a face of B, and R a reach. Each face that meets the box around F widened by R, and that along the edges of a face beside F ([`OrientedBox`]), lies behind
+//! Let F be a face of B, and R a reach. Each face that meets the box around F widened by R, and that along the edges of a face beside F ([`Bvh::keep_leaves_near`]), lies behind
 //! one of a few planes, F itself included: `g . t <= c` for each of its corners t, and g has length one. So no point x is nearer to any of these faces than the
 //! least of `g . x - c`. If x is no farther than R / 2 from F, all other faces are farther from x than F: what comes as near to x as F
 //! has a point that is no farther than R from F, and so in that box. Faces of which all points lie farther than R beyond an edge of F,
@@ -25,7 +25,7 @@ use glam::DVec3;
 use multiversion::multiversion;
 use pompeiu_core::geom::Aabb;
 use pompeiu_core::geom::point_triangle::{LANES, TriangleBlock, lane_of};
-use pompeiu_core::spatial::bvh::{Leaf, OrientedBox};
+use pompeiu_core::spatial::bvh::Leaf;
 use pompeiu_core::spatial::{Bvh, Neighbours, Slot};
 
 /// A face of B, and what is beyond its edges.
@@ -195,14 +195,8 @@ impl<'b> Facets<'b> {
             let (lower, upper) = (aabb.lower.map(|x| x - reach), aabb.upper.map(|x| x + reach));
             self.bvh.leaves_meeting(lower, upper, &mut self.walk, leaves);
             let triangles = self.bvh.triangles(leaf);
-            if let Some(mut around) = OrientedBox::along(lane_of(triangles, 0)) {
-                for lane in 0..LANES {
-                    for corner in lane_of(triangles, lane) {
-                        around.add(corner);
-                    }
-                }
-                around.keep_near(self.bvh, leaves, reach + self.rise);
-            }
+            let corners = (0..LANES).flat_map(|lane| lane_of(triangles, lane));
+            self.bvh.keep_leaves_near(leaves, lane_of(triangles, 0), corners, reach + self.rise);
         }
         let facet = *self.facet(slot);
         let known = &mut self.surroundings[index];

@@ -21,7 +21,6 @@ pub use build::Leaves;
 pub use cover::Cover;
 pub use meet::Leaf;
 pub use nearest::{Nearest, Workspace};
-pub use oriented::OrientedBox;
 pub use support::{LEAST_SQUARE, Support};
 
 /// Place of a triangle in the leaves of a [`Bvh`]; by default the first, which every tree has.

@@ -1,4 +1,4 @@
-//! Boxes along the edges of a face, and the leaves near them.
+//! Leaves near a box along the edges of a face.
 //!
 //! Boxes of a tree lie along the axes of coordinates. Around long thin faces that do not, they are far larger than the faces, and
 //! most of a tessellated cylinder meets the box of one of its faces.
@@ -12,22 +12,40 @@ use multiversion::multiversion;
 /// Where there are more leaves, those beside an oriented box are left out.
 const FEW_LEAVES: usize = 24;
 
+impl Bvh {
+    /// Leaves out leaves whose triangles are all farther than `beside` from some points, where there are many: those that lie beside what the points cover
+    /// along the longest edge of a face, across it, or along its normal. All stay where the face has no area.
+    ///
+    /// # Accuracy
+    /// Along a direction of length one, triangles are no nearer to points than the way between what both cover of it. With coordinates of at most M, both ends
+    /// are off by less than `7 u M` (three products and two sums of terms below M), and the length of a direction by `4 u`, of ways of at
+    /// most `2 sqrt(3) M`: together below 32 (u = 2^-53), by which `beside` must be widened.
+    pub fn keep_leaves_near(
+        &self,
+        leaves: &mut Vec<(Leaf, Aabb)>,
+        face: [[f64; 3]; 3],
+        points: impl Iterator<Item = [f64; 3]>,
+        beside: f64,
+    ) {
+        if leaves.len() > FEW_LEAVES
+            && let Some(mut around) = OrientedBox::along(face)
+        {
+            points.for_each(|point| around.add(point));
+            keep_near(&around, self, leaves, beside);
+        }
+    }
+}
+
 /// What some points cover along three directions, each of length one up to rounding.
-///
-/// # Accuracy
-/// Along a direction of length one, triangles are no nearer to points than the way between what both cover of it. With coordinates of at most M, both ends
-/// are off by less than `7 u M` (three products and two sums of terms below M), and the length of a direction by `4 u`, of ways of at
-/// most `2 sqrt(3) M`: together below 32 (u = 2^-53), by which what is asked for must be widened.
-#[derive(Clone, Copy, Debug)]
-pub struct OrientedBox {
+struct OrientedBox {
     axes: [[f64; 3]; 3],
     lower: [f64; 3],
     upper: [f64; 3],
 }
 
 impl OrientedBox {
-    /// Without points, along the longest edge of a face, across it, and along the normal. None for a face without area.
-    pub fn along(corners: [[f64; 3]; 3]) -> Option<Self> {
+    /// Without points. None for a face without area.
+    fn along(corners: [[f64; 3]; 3]) -> Option<Self> {
         let [a, b, c] = corners.map(DVec3::from_array);
         let edges = [b - a, c - b, a - c];
         let longest = (1..3).fold(0, |longest, k| {
@@ -40,19 +58,11 @@ impl OrientedBox {
         Some(Self { axes, lower: [f64::INFINITY; 3], upper: [f64::NEG_INFINITY; 3] })
     }
 
-    /// Adds a point.
-    pub fn add(&mut self, [x, y, z]: [f64; 3]) {
+    fn add(&mut self, [x, y, z]: [f64; 3]) {
         for (k, [p, q, r]) in self.axes.into_iter().enumerate() {
             let at = p * x + q * y + r * z;
             self.lower[k] = if at < self.lower[k] { at } else { self.lower[k] };
             self.upper[k] = if at > self.upper[k] { at } else { self.upper[k] };
-        }
-    }
-
-    /// Leaves out leaves whose triangles are all farther than `beside` from the points, where there are many.
-    pub fn keep_near(&self, bvh: &Bvh, leaves: &mut Vec<(Leaf, Aabb)>, beside: f64) {
-        if leaves.len() > FEW_LEAVES {
-            keep_near(self, bvh, leaves, beside);
         }
     }
 
@@ -123,11 +133,7 @@ mod tests {
             let mut leaves = Vec::new();
             bvh.leaves_meeting([-2.0; 3], [2.0; 3], &mut Vec::new(), &mut leaves);
             let all = leaves.clone();
-            let mut around = OrientedBox::along(corners).unwrap();
-            for corner in corners {
-                around.add(corner);
-            }
-            around.keep_near(&bvh, &mut leaves, beside);
+            bvh.keep_leaves_near(&mut leaves, corners, corners.into_iter(), beside);
             for (leaf, _) in all.iter().filter(|leaf| !leaves.contains(leaf)) {
                 for slot in (0..LANES).map(|lane| bvh.slot_in(*leaf, lane)) {
                     for i in 0..=8 {
