@@ -7,6 +7,7 @@
 //! | [`orientation`], [`segments_meet`] | exact predicates on doubles |
 //! | [`first_crossing`] | whether a closed polygon crosses itself, and where |
 //! | [`resample`], [`catmull_rom`] | resampling at equal arc lengths, smooth curves through points |
+//! | [`SideTree`] | the sides of an outline in a tree, for the distances of many points from it, and which of them lie inside |
 //! | [`hausdorff`], [`intersection_area`] | distance and common area of two outlines |
 //! | [`offset`] | outlines at a distance from an outline |
 //! | [`picture`], [`contour`], [`silhouette`], [`fill`] | pictures, their contours at a level, the shape in them; rasterised
@@ -41,6 +42,7 @@ pub mod picture;
 mod predicates;
 mod raster;
 mod shape_source;
+mod side_tree;
 pub mod silhouette;
 mod strips;
 pub mod svg;
@@ -58,6 +60,7 @@ pub use overlap::intersection_area;
 pub use predicates::{Turn, orientation, segments_meet};
 pub use raster::fill;
 pub use shape_source::{ShapeError, ShapeSource};
+pub use side_tree::SideTree;
 
 /// A point or a vector in the plane.
 pub type Point = [f64; 2];

@@ -4,16 +4,21 @@ use crate::space::Corner;
 use crate::{Border, Puzzle, PuzzleError};
 use pompeiu_planar::Outline;
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Faces below this share of the mean area are merged with the neighbour with which they share the longest border.
 const SLIVER: f64 = 0.3;
+
+/// The mean is that of at least as many faces as cells were wanted, and of at most so many times as many, or of these where the number of
+/// parts is limited: otherwise an outline with many thin parts has a small mean first, so that each of its parts stays, and the mean grows
+/// with all that is merged until everything is.
+const MOST_FACES: usize = 2;
 
 /// The parts of cells inside an outline and outside of whimsies, and the whimsies, as a puzzle without tabs. The outline must lie
 /// inside the rectangle of the cells.
 ///
 /// Where borders meet the outline, it gets a corner on the lattice, less than a step from its side. With more than `most` parts the smallest are
-/// merged with neighbours.
+/// merged with neighbours. `wanted` is the number of cells within the outline.
 ///
 /// # Errors
 /// [`PuzzleError::Narrow`] if a border passes through a corner of the outline, or parts are too narrow for the lattice: moving the
@@ -22,24 +27,19 @@ pub(super) fn within(
     cells: &Puzzle,
     outline: &[Corner],
     whimsies: &[Vec<Corner>],
-    most: usize,
+    [wanted, most]: [usize; 2],
 ) -> Result<Puzzle, PuzzleError> {
     let inner = cells.borders.iter().filter(|border| border.right.is_some());
     let segments = inner.map(|border| [border.corners[0], border.corners[1]]);
     let mut graph = Graph::of(segments, outline, whimsies)?;
-    let mut faces = graph.faces()?;
-    while faces.len() > 2 {
-        let mean = faces.iter().map(|face| face.doubled as f64).sum::<f64>() / faces.len() as f64;
-        let is_one_too_many = |f: &usize| faces.len() > most || (faces[*f].doubled as f64) < SLIVER * mean;
-        let is_small = |f: &usize| is_one_too_many(f) && graph.whimsy(&faces[*f]).is_none();
-        let mut small: Vec<usize> = (0..faces.len()).filter(is_small).collect();
-        small.sort_by_key(|f| faces[*f].doubled);
-        // A face between whimsies alone stays a piece.
-        if !small.into_iter().any(|sliver| graph.open(&faces, sliver)) {
-            break;
-        }
-        faces = graph.faces()?;
-    }
+    let faces = graph.faces()?;
+    let whole = faces.iter().map(|face| face.doubled as f64).sum::<f64>();
+    let is_one_too_many = |count: usize, doubled: i128| {
+        let fewest = if most < usize::MAX { MOST_FACES * wanted } else { wanted };
+        let mean = whole / count.clamp(fewest, MOST_FACES * wanted) as f64;
+        count > 2 && (count > most || (doubled as f64) < SLIVER * mean)
+    };
+    let faces = graph.merged(faces, is_one_too_many)?.0;
     Ok(graph.puzzle(&faces, cells.step, cells.size))
 }
 
@@ -55,14 +55,8 @@ pub(crate) fn faces_within(
     size: [i64; 2],
 ) -> Result<Puzzle, PuzzleError> {
     let mut graph = Graph::of(segments.iter().copied(), outline, &[])?;
-    let mut faces = graph.faces()?;
-    while faces.len() > most {
-        let smallest = (0..faces.len()).min_by_key(|f| faces[*f].doubled).unwrap_or(0);
-        if !graph.open(&faces, smallest) {
-            break;
-        }
-        faces = graph.faces()?;
-    }
+    let faces = graph.faces()?;
+    let faces = graph.merged(faces, |count, _| count > most)?.0;
     Ok(graph.puzzle(&faces, step, size))
 }
 
@@ -250,24 +244,74 @@ impl Graph {
         }
     }
 
-    /// Removes the edges between a face and the neighbour with the longest common border. Returns whether there is one.
-    fn open(&mut self, faces: &[Face], face: usize) -> bool {
-        let owner = self.owners(faces);
-        let mut shared: BTreeMap<usize, f64> = BTreeMap::new();
-        for half in &faces[face].halves {
-            let is_open = self.whimsy_of[half / 2].is_none();
-            if let Some(other) = owner[half ^ 1].filter(|other| *other != face && is_open) {
-                let [x, y] = self.direction(*half).map(|x| x as f64);
-                *shared.entry(other).or_default() += libm::hypot(x, y);
+    /// The faces after the smallest one is merged with the neighbour with which it has the longest common border, as long as there is one too
+    /// many: a function of the number of faces and twice the area of the smallest. A face between whimsies alone stays. Also the
+    /// number of common borders that were looked at.
+    fn merged(
+        &mut self,
+        faces: Vec<Face>,
+        is_one_too_many: impl Fn(usize, i128) -> bool,
+    ) -> Result<(Vec<Face>, usize), PuzzleError> {
+        let owner = self.owners(&faces);
+        let mut sharing = vec![BTreeMap::new(); faces.len()];
+        let mut open = BTreeSet::new();
+        for (f, face) in faces.iter().enumerate() {
+            if self.whimsy(face).is_none() {
+                open.insert((face.doubled, f));
+            }
+            for half in face.halves.iter().filter(|half| self.whimsy_of[**half / 2].is_none()) {
+                if let Some(other) = owner[half ^ 1].filter(|other| *other != f) {
+                    let [x, y] = self.direction(*half).map(|x| x as f64);
+                    *sharing[f].entry(other).or_insert(0.0) += libm::hypot(x, y);
+                }
             }
         }
-        let Some((&other, _)) = shared.iter().max_by(|a, b| a.1.total_cmp(b.1)) else { return false };
-        for half in &faces[face].halves {
-            if owner[half ^ 1] == Some(other) && self.whimsy_of[half / 2].is_none() {
-                self.is_alive[half / 2] = false;
+        let mut doubled: Vec<i128> = faces.iter().map(|face| face.doubled).collect();
+        let mut part: Vec<usize> = (0..faces.len()).collect();
+        let (mut count, mut looks) = (faces.len(), 0);
+        while let Some(&(area, small)) = open.first() {
+            if !is_one_too_many(count, area) {
+                break;
+            }
+            open.remove(&(area, small));
+            looks += sharing[small].len();
+            let longest = sharing[small].iter().max_by(|a, b| a.1.total_cmp(b.1));
+            let Some(other) = longest.map(|(other, _)| *other) else { continue };
+            open.remove(&(doubled[other], other));
+            // The face with fewer neighbours goes into the other one.
+            let is_first = sharing[small].len() > sharing[other].len();
+            let (from, into) = if is_first { (other, small) } else { (small, other) };
+            for (neighbour, length) in std::mem::take(&mut sharing[from]) {
+                looks += 1;
+                sharing[neighbour].remove(&from);
+                if neighbour != into {
+                    *sharing[neighbour].entry(into).or_insert(0.0) += length;
+                    *sharing[into].entry(neighbour).or_insert(0.0) += length;
+                }
+            }
+            part[from] = into;
+            doubled[into] = doubled[small] + doubled[other];
+            open.insert((doubled[into], into));
+            count -= 1;
+        }
+        if count == faces.len() {
+            return Ok((faces, looks));
+        }
+        for f in 0..part.len() {
+            let mut root = f;
+            while part[root] != root {
+                root = part[root];
+            }
+            part[f] = root;
+        }
+        for e in 0..self.edges.len() {
+            let [left, right] = [owner[2 * e], owner[2 * e + 1]];
+            let is_between = left.zip(right).is_some_and(|(a, b)| a != b && part[a] == part[b]);
+            if is_between && self.whimsy_of[e].is_none() {
+                self.is_alive[e] = false;
             }
         }
-        true
+        Ok((self.faces()?, looks))
     }
 
     /// The face on the left of each half-edge.
@@ -327,4 +371,42 @@ impl Graph {
 fn by_angle(a: Corner, b: Corner) -> Ordering {
     let is_lower = |v: Corner| v[1] < 0 || (v[1] == 0 && v[0] < 0);
     is_lower(a).cmp(&is_lower(b)).then_with(|| 0.cmp(&cross(a, b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lines of a grid within a rectangle.
+    fn grid(side: i64) -> Graph {
+        let long = 10 * side;
+        let line = |i: i64| [[[10 * i, -5], [10 * i, long + 5]], [[-5, 10 * i], [long + 5, 10 * i]]];
+        let parts = |[a, b]: [Corner; 2]| {
+            let k = usize::from(a[0] == b[0]);
+            let steps = (0..side).map(move |j| [10 * j, 10 * (j + 1)]);
+            steps.map(move |ends| ends.map(|x| if k == 1 { [a[0], x] } else { [x, a[1]] }))
+        };
+        let segments: Vec<[Corner; 2]> = (0..=side).flat_map(line).flat_map(parts).collect();
+        let outline = [[-7, -6], [long + 6, -6], [long + 6, long + 7], [-7, long + 7]];
+        Graph::of(segments.into_iter(), &outline, &[]).unwrap()
+    }
+
+    #[test]
+    fn merging_many_faces_looks_at_few_borders_for_each() {
+        let mut graph = grid(60);
+        // The faces of a graph that does not reach its outline are not those inside it: only the grid is looked at.
+        graph.edges.truncate(2 * 60 * 61);
+        graph.is_alive.truncate(2 * 60 * 61);
+        graph.whimsy_of.truncate(2 * 60 * 61);
+        graph.doubled = 2 * 600 * 600;
+        let faces = graph.faces().unwrap();
+        assert_eq!(faces.len(), 3600);
+        let (merged, looks) = graph.merged(faces, |count, _| count > 40).unwrap();
+        assert_eq!(merged.len(), 40);
+        let sum: i128 = merged.iter().map(|face| face.doubled).sum();
+        assert_eq!(sum, graph.doubled);
+        let sizes = merged.iter().map(|face| face.doubled);
+        assert!(sizes.clone().max() <= sizes.min().map(|least| 8 * least), "pieces of similar size");
+        assert!(looks < 20 * 3600, "{looks}");
+    }
 }

@@ -246,9 +246,12 @@ const PARTITIONS: usize = 20;
 const FEWEST_PARTITIONS: usize = 5;
 const PARTITIONED: usize = 4000;
 
-/// A number of pieces that is so much too great, relative to the one asked for, after half of the partitions: cells of an outline with many thin parts
-/// fall apart, however few they are. Their smallest parts are merged then.
-const MANY: f64 = 1.15;
+/// A number of pieces that is so much too great or too small, relative to the one asked for, after half of the partitions: cells of an outline
+/// with many thin parts fall apart, however few they are. Then the smallest parts are merged of cells that gave enough.
+const MANY: f64 = 1.1;
+
+/// The largest number of cells that is tried, relative to the number of pieces asked for.
+const MOST_CELLS: usize = 8;
 
 /// The step of further numbers of cells, relative to the number that gives as many pieces as asked for.
 const FURTHER: f64 = 0.02;
@@ -320,6 +323,8 @@ impl Shaped {
         let mut sites = self.sites(cells, shift, random);
         let rounds = if cells.0 == Layout::Voronoi { ROUNDS } else { 0 };
         for _ in 0..rounds {
+            // Each part has one site in the next round: more parts than cells would become more and more in thin parts of the outline.
+            let most = [cells.1, most.min(cells.1)];
             let parts = cut(&mut sites, self.size, self.step, (&self.corners, &[], most), unit, random)?;
             if control.is_stopped() && whimsies.is_empty() {
                 return Ok(parts);
@@ -329,7 +334,7 @@ impl Shaped {
             }
             sites = parts.centroids();
         }
-        cut(&mut sites, self.size, self.step, (&self.corners, whimsies, most), unit, random)
+        cut(&mut sites, self.size, self.step, (&self.corners, whimsies, [cells.1, most]), unit, random)
     }
 }
 
@@ -350,15 +355,20 @@ fn shaped(
     let mut failed = None;
     // The number of cells that gives the number of pieces, and the number that is tried.
     let (mut cells, mut count, mut shift) = (asked, options.pieces, [0.0; 2]);
+    // The least number of cells that gave as many pieces as asked for.
+    let mut enough: Option<usize> = None;
     for k in 1..=most {
-        let is_too_many = |(_, parts): &(f64, Puzzle)| 2 * k > most && parts.pieces() as f64 > MANY * asked;
-        let most_parts = if best.as_ref().is_some_and(is_too_many) { options.pieces } else { usize::MAX };
+        let is_off = |(_, parts): &(f64, Puzzle)| off(parts, asked) > libm::log(MANY);
+        let is_merged = 2 * k > most && best.as_ref().is_some_and(is_off);
+        let most_parts = if is_merged && enough.is_some() { options.pieces } else { usize::MAX };
         match shape.parts((options.layout, count), shift, (&whimsies, most_parts), random, control) {
             Ok(parts) => {
-                let ratio = parts.pieces() as f64 / asked;
-                let missed = COUNTS * (libm::log(ratio).abs() - NEAR).max(0.0) + lacking(&parts, options);
-                if libm::log(ratio).abs() > NEAR {
-                    cells = count as f64 / ratio;
+                let missed = COUNTS * (off(&parts, asked) - NEAR).max(0.0) + lacking(&parts, options);
+                if most_parts == usize::MAX && off(&parts, asked) > NEAR {
+                    cells = count as f64 * asked / parts.pieces() as f64;
+                }
+                if most_parts == usize::MAX && parts.pieces() >= options.pieces {
+                    enough = Some(enough.map_or(count, |least| least.min(count)));
                 }
                 if best.as_ref().is_none_or(|(least, _)| missed < *least) {
                     best = Some((missed, parts));
@@ -370,12 +380,20 @@ fn shaped(
         if control.is_stopped() || best.as_ref().is_some_and(|(missed, _)| *missed == 0.0) {
             break;
         }
+        // Parts that will be merged are those of as many cells as pieces, or more where that is not enough.
+        let will_merge = 2 * (k + 1) > most && best.as_ref().is_some_and(is_off);
+        let around = enough.filter(|_| will_merge).map_or(cells, |least| asked.max(least as f64));
         let side = if k % 2 == 0 { 0.5 } else { -0.5 };
-        let next = (cells * (1.0 + side * FURTHER * k as f64)).round() as usize;
-        count = next.clamp(1, 2 * MOST_PIECES);
+        let next = (around * (1.0 + side * FURTHER * k as f64)).round() as usize;
+        count = next.clamp(1, (MOST_CELLS * options.pieces).min(2 * MOST_PIECES));
         shift = [0, 1].map(|_| random.signed_unit());
     }
     best.map(|(_, puzzle)| puzzle).ok_or(failed.unwrap_or(PuzzleError::Narrow { piece: 0 }))
+}
+
+/// How far a number of pieces is from the one asked for: the logarithm of their ratio, without its sign.
+fn off(puzzle: &Puzzle, asked: f64) -> f64 {
+    libm::log(puzzle.pieces() as f64 / asked).abs()
 }
 
 /// How much the narrowest neck is below the least width, relative to that; 0 if none is.
@@ -390,7 +408,7 @@ fn cut(
     sites: &mut [Point],
     size: [f64; 2],
     step: f64,
-    (outline, whimsies, most): (&[Corner], &[Vec<Corner>], usize),
+    (outline, whimsies, most): (&[Corner], &[Vec<Corner>], [usize; 2]),
     unit: f64,
     random: &mut Random,
 ) -> Result<Puzzle, PuzzleError> {

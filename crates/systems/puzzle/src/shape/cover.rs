@@ -3,7 +3,7 @@
 use super::descend::{descend, hinge};
 use super::map::Map;
 use super::pose::{Pose, Turned};
-use pompeiu_planar::{Outline, Point};
+use pompeiu_planar::{Outline, Point, SideTree};
 use rayon::prelude::*;
 
 /// Sample points of an outline, in blocks of nearby points.
@@ -38,6 +38,7 @@ impl Samples {
     /// Points inside an outline on a square lattice, with `per_unit` points per unit of length.
     pub(super) fn new(outline: &Outline, per_unit: f64) -> Self {
         let [low, high] = outline.bounds();
+        let sides = SideTree::new(outline);
         let per_block = (per_unit * BLOCK).round().max(1.0) as usize;
         let blocks = [0, 1].map(|k| ((high[k] - low[k]) / BLOCK).ceil().max(1.0) as usize);
         // In the middle of the bounding box.
@@ -56,7 +57,7 @@ impl Samples {
                 };
                 let points = (0..per_block * per_block)
                     .map(|j| [corner[0] + BLOCK * part(j, 0), corner[1] + BLOCK * part(j, 1)])
-                    .filter(|p| outline.contains(*p));
+                    .filter(|p| sides.contains(*p));
                 Block {
                     centre: corner.map(|x| x + 0.5 * BLOCK),
                     radius: BLOCK * std::f64::consts::FRAC_1_SQRT_2,

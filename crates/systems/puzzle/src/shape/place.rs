@@ -7,7 +7,7 @@ use super::torus::{Lattice, lattices};
 use crate::PuzzleError;
 use pompeiu_core::mesh::edit::Random;
 use pompeiu_core::run::Control;
-use pompeiu_planar::{Outline, Point};
+use pompeiu_planar::{Outline, Point, SideTree};
 use rayon::prelude::*;
 
 /// Lattices to try on the outline, and positions for each.
@@ -60,6 +60,7 @@ pub(super) fn place(
 ) -> Result<Placed, PuzzleError> {
     let found = lattices(map, LATTICES, mirrors, seed, control);
     tell(0.3);
+    let sides = SideTree::new(outline);
     let coarse = Samples::new(outline, COARSE);
     let samples = Samples::new(outline, MIDDLE);
     let places = (PLACES * PIECES_OF_ROUNDS / count.max(PIECES_OF_ROUNDS)).max(20);
@@ -67,7 +68,7 @@ pub(super) fn place(
         (0..found.len()).flat_map(|l| (0..places).map(move |i| (l, i))).collect();
     let start = |(l, i): (usize, usize)| {
         let mut random = Random::new(seed ^ ((l * PLACES + i + 1) as u64).wrapping_mul(0x517c_c1b7));
-        let poses = on_outline(&found[l], outline, count, map.radius(), &mut random)?;
+        let poses = on_outline(&found[l], (outline, &sides), count, map.radius(), &mut random)?;
         let (mut total, width) = (0.0, 0.06);
         coarse.each(map, &poses, |_, _, v| total += super::descend::hinge(v, width).0);
         Some((total, poses))
@@ -141,12 +142,13 @@ pub(super) fn on_lattice(
 ) -> Result<Vec<Pose>, PuzzleError> {
     let found = lattices(map, 1, mirrors, seed, control);
     let best = found.first().ok_or(PuzzleError::Outline)?;
+    let sides = SideTree::new(outline);
     let coarse = Samples::new(outline, COARSE);
     let tries: Vec<(f64, Vec<Pose>)> = (0..PLACES)
         .into_par_iter()
         .filter_map(|i| {
             let mut random = Random::new(seed ^ (i as u64 + 1).wrapping_mul(0x517c_c1b7));
-            let all = around(best, outline, map.radius(), &mut random)?;
+            let all = around(best, (outline, &sides), map.radius(), &mut random)?;
             let poses = all.get(..count)?;
             let mut total = 0.0;
             coarse.each(map, poses, |_, _, v| total += super::descend::hinge(v, 0.06).0);
@@ -164,12 +166,12 @@ fn last(placed: &Placed) -> f64 {
 /// The copies of a lattice, rotated and translated at random, that lie deepest within an outline.
 fn on_outline(
     lattice: &Lattice,
-    outline: &Outline,
+    within: (&Outline, &SideTree<'_>),
     count: usize,
     radius: f64,
     random: &mut Random,
 ) -> Option<Vec<Pose>> {
-    let mut found = around(lattice, outline, radius, random)?;
+    let mut found = around(lattice, within, radius, random)?;
     if found.len() < count {
         return None;
     }
@@ -178,7 +180,12 @@ fn on_outline(
 }
 
 /// The copies of a lattice, rotated and translated at random, within and around an outline, deepest first.
-fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random) -> Option<Vec<Pose>> {
+fn around(
+    lattice: &Lattice,
+    (outline, sides): (&Outline, &SideTree<'_>),
+    radius: f64,
+    random: &mut Random,
+) -> Option<Vec<Pose>> {
     let [low, high] = outline.bounds();
     let middle = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
     let reach = 0.5 * libm::hypot(high[0] - low[0], high[1] - low[1]) + BEYOND * radius;
@@ -210,7 +217,7 @@ fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random
                 {
                     continue;
                 }
-                found.push((depth(outline, place), Pose { place, angle: copy.angle + angle, ..*copy }));
+                found.push((depth(sides, place), Pose { place, angle: copy.angle + angle, ..*copy }));
             }
         }
     }
@@ -219,9 +226,9 @@ fn around(lattice: &Lattice, outline: &Outline, radius: f64, random: &mut Random
 }
 
 /// Depth of a point within an outline, negative outside.
-fn depth(outline: &Outline, p: Point) -> f64 {
-    let distance = pompeiu_planar::distance_to_outline(p, outline);
-    if outline.contains(p) { distance } else { -distance }
+fn depth(sides: &SideTree<'_>, p: Point) -> f64 {
+    let distance = sides.distance(p);
+    if sides.contains(p) { distance } else { -distance }
 }
 
 /// Moves one to three of the worst pieces to where little is covered, and keeps improvements.

@@ -90,6 +90,26 @@ fn about_as_many_pieces_as_asked_for_whatever_the_shape() {
             assert!(10 * found.abs_diff(pieces) <= 2 * pieces, "{layout:?}: {found} of {pieces}");
         }
     }
+    // More teeth than pieces. There were 2, 2 and 45 of 12, and with Voronoi cells more and more, without an end.
+    let mut points = vec![[0.0, 0.0], [236.0, 0.0]];
+    for x in (0..40).rev().map(|tooth| 6.0 * f64::from(tooth)) {
+        points.extend([[x + 2.0, 10.0], [x + 2.0, 160.0], [x, 160.0], [x, 10.0]]);
+    }
+    let comb = Outline::new(points).unwrap();
+    for layout in LAYOUTS {
+        for pieces in [12, 24, 60] {
+            let options = PuzzleOptions {
+                layout,
+                pieces,
+                tab: Tab::None,
+                outline: Some(comb.clone()),
+                size: [236.0, 160.0],
+                ..PuzzleOptions::default()
+            };
+            let found = make(&options).unwrap().pieces();
+            assert!(10 * found.abs_diff(pieces) <= pieces, "{layout:?}: {found} of {pieces}");
+        }
+    }
     for size in [[10.0, 150.0], [150.0, 10.0], [10.0, 40.0]] {
         for pieces in [2, 3, 7] {
             let options =
