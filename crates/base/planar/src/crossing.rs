@@ -1,5 +1,7 @@
 //! Whether a closed polygon crosses itself.
 
+use crate::distance::distance_to_segment;
+use crate::outline::{cross as cross_product, minus};
 use crate::{Outline, Point, Turn, orientation, segments_meet};
 
 /// Two sides with a common point other than the corner that neighbours share.
@@ -7,7 +9,7 @@ use crate::{Outline, Point, Turn, orientation, segments_meet};
 pub struct Crossing {
     /// The sides, each named by the corner that it starts from; the first one is less.
     pub sides: [usize; 2],
-    /// Approximate place: the middle of the shorter of the two sides.
+    /// Approximate place of a point of both.
     pub place: Point,
 }
 
@@ -41,12 +43,20 @@ pub fn first_crossing(outline: &Outline) -> Option<Crossing> {
         }
         active.push(i);
     }
-    found.map(|sides| {
-        let [first, second] = sides.map(side);
-        let length = |[a, b]: [Point; 2]| crate::outline::distance(a, b);
-        let [a, b] = if length(second) < length(first) { second } else { first };
-        Crossing { sides, place: [0, 1].map(|k| 0.5 * (a[k] + b[k])) }
-    })
+    found.map(|sides| Crossing { sides, place: meeting(sides.map(side)) })
+}
+
+/// A point that two segments which meet have in common, but for rounding.
+fn meeting([[a, b], [c, d]]: [[Point; 2]; 2]) -> Point {
+    let (u, v) = (minus(b, a), minus(d, c));
+    let along = cross_product(minus(c, a), v) / cross_product(u, v);
+    if (0.0..=1.0).contains(&along) {
+        return [0, 1].map(|k| a[k] + along * u[k]);
+    }
+    // Parallel ones, and those of which rounding has moved the point beyond an end: an end of one is on the other.
+    let ends = [(a, [c, d]), (b, [c, d]), (c, [a, b]), (d, [a, b])];
+    let away = |(end, other): &(Point, [Point; 2])| distance_to_segment(*end, *other);
+    ends.into_iter().min_by(|x, y| away(x).total_cmp(&away(y))).map_or(a, |(end, _)| end)
 }
 
 /// Whether two sides of a polygon of `n` corners have more in common than a shared corner.
@@ -81,5 +91,15 @@ mod tests {
         assert_eq!(crossing(&[[0.0, 0.0], [4.0, 0.0], [6.0, 0.0], [4.0, 0.0], [4.0, 4.0]]), Some([0, 2]));
         let touching = [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 4.0]];
         assert!(crossing(&touching).is_some());
+        let place = |points: &[Point]| {
+            first_crossing(&Outline::new(points.to_vec()).unwrap()).map(|crossing| crossing.place)
+        };
+        assert_eq!(place(&touching), Some([2.0, 0.0]));
+        let halves = [[0.0, 0.0], [50.0, 50.0], [100.0, 0.0], [100.0, 100.0], [50.0, 50.0], [0.0, 100.0]];
+        assert_eq!(place(&halves), Some([50.0, 50.0]));
+        let bow = [[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0], [-2.0, 1.0]];
+        assert_eq!(place(&bow), Some([2.0, 2.0]));
+        let slit = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [5.0, 9.0], [5.0, 5.0], [5.0, 9.0], [0.0, 9.0]];
+        assert!(matches!(place(&slit), Some([5.0, y]) if (5.0..=9.0).contains(&y)));
     }
 }

@@ -251,18 +251,53 @@ pub fn read_outlines(
     Ok((outlines, missing))
 }
 
-/// The region that a file shows: its outline of greatest area, with the outlines inside it as holes; and each `use` of what is not in the
-/// drawing, which is left out.
+/// What of a file is not in the region that is read from it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LeftOut {
+    /// A `use` of what is not in the drawing.
+    #[error(transparent)]
+    Missing(#[from] Missing),
+    /// Shapes beside the largest one.
+    #[error(
+        "only the largest of {} shapes is used; the others have {:.1} % of its area: leave them out, or join them to it", others + 1, 100.0 * share
+    )]
+    Shapes {
+        /// Number of the other shapes.
+        others: usize,
+        /// Their area, relative to that of the largest one.
+        share: f64,
+    },
+}
+
+/// The region that a file shows: its outline of greatest area, with the outlines inside it as holes; and what is left out of a drawing, that
+/// is shapes beside it and each `use` of what is not there.
 ///
 /// # Errors
 /// As [`read_outlines`].
-pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<(Region, Vec<Missing>), FileError> {
-    let (mut outlines, missing) = read_outlines(path, options)?;
-    let largest =
-        (0..outlines.len()).max_by(|i, j| outlines[*i].area().total_cmp(&outlines[*j].area()).then(j.cmp(i)));
-    let outer = outlines.swap_remove(largest.ok_or(FileError::Empty)?);
-    outlines.retain(|hole| outer.contains(hole.points()[0]));
-    Ok((Region { outer, holes: outlines }, missing))
+pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<(Region, Vec<LeftOut>), FileError> {
+    let (mut outlines, mut left_out) = (Vec::new(), Vec::new());
+    for shape in read_shapes(path, options)? {
+        match shape.region {
+            Ok(Region { outer, holes }) => {
+                outlines.push((outer, true));
+                outlines.extend(holes.into_iter().map(|hole| (hole, false)));
+            }
+            Err(FileError::Missing(missing)) => left_out.push(missing.into()),
+            Err(error) => return Err(error),
+        }
+    }
+    let areas: Vec<f64> = outlines.iter().map(|(outline, _)| outline.area()).collect();
+    let largest = (0..areas.len()).max_by(|i, j| areas[*i].total_cmp(&areas[*j]).then(j.cmp(i)));
+    let (outer, _) = outlines.swap_remove(largest.ok_or(FileError::Empty)?);
+    let (inside, beside): (Vec<_>, Vec<_>) =
+        outlines.into_iter().partition(|(other, _)| outer.contains(other.points()[0]));
+    let others = || beside.iter().filter(|(_, is_outer)| *is_outer).map(|(other, _)| other.area());
+    if others().next().is_some() {
+        let share = others().sum::<f64>() / outer.area();
+        left_out.push(LeftOut::Shapes { others: others().count(), share });
+    }
+    Ok((Region { outer, holes: inside.into_iter().map(|(hole, _)| hole).collect() }, left_out))
 }
 
 fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<Vec<Point>, FileError> {

@@ -51,7 +51,7 @@ pub use crossing::{Crossing, first_crossing};
 pub use curve::{catmull_rom, resample, resample_points};
 pub use distance::{distance_sq_to_segment, distance_to_outline, from_segment, hausdorff};
 pub use file::{
-    DrawnShape, FileError, is_picture, is_shape, read_outlines, read_region, read_shapes, shapes_in,
+    DrawnShape, FileError, LeftOut, is_picture, is_shape, read_outlines, read_region, read_shapes, shapes_in,
 };
 pub use filling::{FillRule, regions};
 pub use offset::offset;

@@ -1,8 +1,7 @@
 //! Where a shape comes from.
 
 use crate::silhouette::SilhouetteOptions;
-use crate::svg::Missing;
-use crate::{DrawnShape, FileError, Outline, OutlineError, Point, Region, read_region, read_shapes};
+use crate::{DrawnShape, FileError, LeftOut, Outline, OutlineError, Point, Region, read_region, read_shapes};
 use std::convert::Infallible;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -70,7 +69,7 @@ impl ShapeSource {
     ///
     /// # Errors
     /// [`ShapeError`].
-    pub fn region(&self, options: &SilhouetteOptions) -> Result<(Region, Vec<Missing>), ShapeError> {
+    pub fn region(&self, options: &SilhouetteOptions) -> Result<(Region, Vec<LeftOut>), ShapeError> {
         match self {
             Self::File(path) => {
                 read_region(path, options).map_err(|error| ShapeError::File { path: path.clone(), error })

@@ -23,7 +23,10 @@ pub enum PuzzleError {
         expected: &'static str,
     },
     /// The outline crosses itself.
-    #[error("the outline crosses itself: side {} meets side {} near ({}, {})", sides[0], sides[1], place[0], place[1])]
+    #[error(
+        "the outline crosses itself: side {} meets side {} near ({}, {}); it may not touch itself either: move its corners apart there",
+        sides[0], sides[1], place[0], place[1]
+    )]
     Crossing {
         /// The sides, each named by the corner that it starts from.
         sides: [usize; 2],
@@ -31,7 +34,10 @@ pub enum PuzzleError {
         place: [f64; 2],
     },
     /// The piece shape crosses itself.
-    #[error("the piece shape crosses itself: side {} meets side {} near ({}, {})", sides[0], sides[1], place[0], place[1])]
+    #[error(
+        "the piece shape crosses itself: side {} meets side {} near ({}, {}); it may not touch itself either: move its corners apart there",
+        sides[0], sides[1], place[0], place[1]
+    )]
     PieceCrossing {
         /// The sides, each named by the corner that it starts from.
         sides: [usize; 2],

@@ -2,7 +2,7 @@
 
 use pompeiu_planar::picture::{Picture, PictureError};
 use pompeiu_planar::silhouette::{Foreground, SilhouetteError, SilhouetteOptions, silhouette};
-use pompeiu_planar::{FileError, read_outlines, read_region, read_shapes};
+use pompeiu_planar::{FileError, LeftOut, read_outlines, read_region, read_shapes};
 use std::path::PathBuf;
 
 const WIDTH: usize = 40;
@@ -212,16 +212,33 @@ fn what_a_drawing_does_not_have_is_left_out_and_said() {
     let options = SilhouetteOptions::default();
     let text = b"<svg><use href='#none'/><rect width='2' height='1'/>\n<use href='other.svg#a'/></svg>";
     let some = file("some.svg", text);
-    let (region, missing) = read_region(&some, &options).unwrap();
-    assert_eq!((region.outer.area(), missing.len(), missing[1].line), (2.0, 2, 2));
-    let (outlines, same) = read_outlines(&some, &options).unwrap();
-    assert_eq!((outlines.len(), same), (1, missing));
+    let (region, left_out) = read_region(&some, &options).unwrap();
+    let (outlines, missing) = read_outlines(&some, &options).unwrap();
+    assert_eq!((region.outer.area(), missing.len(), missing[1].line, outlines.len()), (2.0, 2, 2, 1));
+    assert_eq!(left_out, missing.into_iter().map(LeftOut::Missing).collect::<Vec<_>>());
     let shapes = read_shapes(&some, &options).unwrap();
     assert!(shapes.iter().all(|shape| shape.name.is_none()));
     assert!(matches!(&shapes[2].region, Err(FileError::Missing(missing)) if missing.href == "other.svg#a"));
     let none = file("nothing.svg", b"<svg><use href='#none'/></svg>");
     let error = read_region(&none, &options).unwrap_err().to_string();
     assert!(error.starts_with("there is no curve in the drawing: line 1: <use> draws nothing"), "{error}");
+}
+
+#[test]
+fn shapes_beside_the_largest_one_are_left_out_and_said() {
+    let options = SilhouetteOptions::default();
+    let text = "<svg><rect x='9' width='1' height='1'/><path fill-rule='evenodd' d='M0 0H4V4H0Z M1 1H2V2H1Z M20 0h2v2h-2z M20.5 .5h1v1h-1z'/></svg>";
+    let (region, left_out) = read_region(&file("beside.svg", text.as_bytes()), &options).unwrap();
+    assert_eq!((region.area(), region.holes.len()), (15.0, 1));
+    assert_eq!(left_out, [LeftOut::Shapes { others: 2, share: 5.0 / 16.0 }]);
+    assert!(
+        left_out[0]
+            .to_string()
+            .starts_with("only the largest of 3 shapes is used; the others have 31.2 % of")
+    );
+    let (_, none) =
+        read_region(&file("one.svg", b"<svg><rect width='2' height='1'/></svg>"), &options).unwrap();
+    assert_eq!(none, []);
 }
 
 #[test]

@@ -359,7 +359,10 @@ impl PuzzleRequest {
     }
 }
 
-/// An outline without holes; notes the file that it comes from, and what is left out of it.
+/// Holes of less than this share of an outline are filled: specks of a picture with noise.
+const SPECK: f64 = 1e-3;
+
+/// An outline without holes but for specks; notes the file that it comes from, and what is left out of it.
 fn whole(
     source: &ShapeSource,
     read: &mut Vec<(PathBuf, usize)>,
@@ -367,9 +370,17 @@ fn whole(
 ) -> Result<Outline, PuzzleRequestError> {
     let (region, missing) = source.region(&SilhouetteOptions::default())?;
     left_out.extend(missing.iter().map(|missing| format!("{source}: {missing}")));
-    if !region.holes.is_empty() {
-        let holes = region.holes.len();
-        return Err(PuzzleRequestError::Holes { source_name: source.to_string(), holes });
+    let area = region.outer.area();
+    let (specks, holes): (Vec<f64>, Vec<f64>) =
+        region.holes.iter().map(|hole| hole.area() / area).partition(|share| *share < SPECK);
+    if !holes.is_empty() {
+        return Err(PuzzleRequestError::Holes { source_name: source.to_string(), holes: holes.len() });
+    }
+    if !specks.is_empty() {
+        let (number, percent) = (specks.len(), 100.0 * specks.iter().sum::<f64>());
+        left_out.push(format!(
+            "{source}: {number} holes smaller than a thousandth of the shape are filled, {percent:.2} % of it in all"
+        ));
     }
     read.extend(source.file().map(|path| (path.to_owned(), region.outer.points().len())));
     Ok(region.outer)
@@ -392,6 +403,29 @@ mod tests {
         let request = PuzzleRequest { neck: Some("1%".parse().unwrap()), ..PuzzleRequest::default() };
         let error = request.run(false, &RunContext::default()).unwrap_err();
         assert!(matches!(error, PuzzleRequestError::Length(_)), "{error}");
+    }
+
+    #[test]
+    fn specks_are_filled_and_larger_holes_refused() {
+        let outline = |hole: f64| {
+            let path = std::env::temp_dir().join(format!("pompeiu-specks-{}-{hole}.svg", std::process::id()));
+            let holes = format!("M20 20h{hole}v{hole}h-{hole}Z M60 60h1v1h-1Z");
+            let drawing =
+                format!("<svg><path fill-rule='evenodd' d='M0 0H100V90L50 100L0 90Z {holes}'/></svg>");
+            std::fs::write(&path, drawing).unwrap();
+            let request = PuzzleRequest {
+                pieces: 4,
+                outline: Some(ShapeSource::File(path.clone())),
+                ..PuzzleRequest::default()
+            };
+            let found = request.run(false, &RunContext::default());
+            std::fs::remove_file(path).unwrap();
+            found
+        };
+        let report = outline(2.0).unwrap().report;
+        assert!(report.left_out[0].contains("2 holes smaller than a thousandth of the shape are filled"));
+        assert!((report.area.outline - 9500.0 * 4.0).abs() < 1.0, "{}", report.area.outline);
+        assert!(matches!(outline(4.0), Err(PuzzleRequestError::Holes { holes: 1, .. })));
     }
 
     /// The first share is told before the first attempt: who ends the work there gets the greedy choice.
