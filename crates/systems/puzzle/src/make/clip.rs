@@ -61,7 +61,7 @@ pub(crate) fn faces_within(
 }
 
 /// Edges between corners; half-edge 2e runs from the first to the second end of edge e, 2e + 1 back.
-struct Graph {
+pub(super) struct Graph {
     edges: Vec<[Corner; 2]>,
     is_alive: Vec<bool>,
     /// For each edge, the whimsy that it bounds.
@@ -71,9 +71,9 @@ struct Graph {
 }
 
 /// A face: its half-edges counter-clockwise, and twice its area.
-struct Face {
-    halves: Vec<usize>,
-    doubled: i128,
+pub(super) struct Face {
+    pub(super) halves: Vec<usize>,
+    pub(super) doubled: i128,
 }
 
 fn cross(a: Corner, b: Corner) -> i128 {
@@ -168,6 +168,25 @@ impl Graph {
         Ok(Self { is_alive: vec![true; edges.len()], edges, whimsy_of, doubled })
     }
 
+    /// Edges that meet at their ends only, of which some are the sides of the outline, counter-clockwise.
+    pub(super) fn of_edges(edges: Vec<[Corner; 2]>, outline: &[[Corner; 2]]) -> Self {
+        let doubled = outline.iter().map(|[a, b]| cross(*a, *b)).sum();
+        Self { is_alive: vec![true; edges.len()], whimsy_of: vec![None; edges.len()], edges, doubled }
+    }
+
+    /// The length of an edge.
+    pub(super) fn length(&self, half: usize) -> f64 {
+        let [x, y] = self.direction(half).map(|x| x as f64);
+        libm::hypot(x, y)
+    }
+
+    /// Removes the edges of some half-edges.
+    pub(super) fn remove(&mut self, is_removed: impl Fn(usize) -> bool) {
+        for half in 0..2 * self.edges.len() {
+            self.is_alive[half / 2] &= !is_removed(half);
+        }
+    }
+
     /// The whimsy that a face represents.
     fn whimsy(&self, face: &Face) -> Option<usize> {
         let first = self.whimsy_of[face.halves[0] / 2]?;
@@ -184,7 +203,7 @@ impl Graph {
     }
 
     /// The faces inside: at each corner the traversal continues along the next edge clockwise.
-    fn faces(&mut self) -> Result<Vec<Face>, PuzzleError> {
+    pub(super) fn faces(&mut self) -> Result<Vec<Face>, PuzzleError> {
         self.prune();
         let mut around: BTreeMap<Corner, Vec<usize>> = BTreeMap::new();
         for half in (0..2 * self.edges.len()).filter(|half| self.is_alive[half / 2]) {
@@ -261,8 +280,7 @@ impl Graph {
             }
             for half in face.halves.iter().filter(|half| self.whimsy_of[**half / 2].is_none()) {
                 if let Some(other) = owner[half ^ 1].filter(|other| *other != f) {
-                    let [x, y] = self.direction(*half).map(|x| x as f64);
-                    *sharing[f].entry(other).or_insert(0.0) += libm::hypot(x, y);
+                    *sharing[f].entry(other).or_insert(0.0) += self.length(*half);
                 }
             }
         }
@@ -315,7 +333,7 @@ impl Graph {
     }
 
     /// The face on the left of each half-edge.
-    fn owners(&self, faces: &[Face]) -> Vec<Option<usize>> {
+    pub(super) fn owners(&self, faces: &[Face]) -> Vec<Option<usize>> {
         let mut owner = vec![None; 2 * self.edges.len()];
         for (f, face) in faces.iter().enumerate() {
             face.halves.iter().for_each(|half| owner[*half] = Some(f));
@@ -324,7 +342,7 @@ impl Graph {
     }
 
     /// The faces as pieces, with edges between the same two faces joined to borders.
-    fn puzzle(&self, faces: &[Face], step: f64, size: [i64; 2]) -> Puzzle {
+    pub(super) fn puzzle(&self, faces: &[Face], step: f64, size: [i64; 2]) -> Puzzle {
         let owner = self.owners(faces);
         let mut borders: Vec<Border> = Vec::new();
         let mut border_of = vec![usize::MAX; self.edges.len()];

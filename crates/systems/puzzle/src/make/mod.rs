@@ -2,6 +2,7 @@
 
 mod cells;
 mod clip;
+mod mend;
 mod tabs;
 mod tree;
 mod whimsy;
@@ -106,11 +107,11 @@ const ROUNDS: usize = 12;
 /// A grid uses the factorisation of the number of pieces into rows × columns with the squarest cells. Hexagons use the rows and
 /// columns that come nearest to regular hexagons; a number of pieces that is off by more than a tenth counts four times as much. Each border gets one tab where one fits without
 /// crossing a border or leaving a neck below the least width ([`Puzzle::neck`]): on a side and at a position chosen by the seed,
-/// otherwise on the other side, elsewhere, or smaller. Necks of the cells themselves, where an outline is narrow,
-/// stay.
+/// otherwise on the other side, elsewhere, or smaller. Necks of the outline itself, where it is narrow, stay.
 ///
 /// An outline that is a rectangle with sides along the axes has the pieces of that rectangle. Within others, cells are clipped, and parts of less than a third of the mean area are merged with a neighbour; of a few numbers
-/// of cells, the one whose number of pieces comes nearest is taken; where all are far too many, as for a comb, the smallest parts are merged. The outline gets corners where borders meet it, less than a lattice step away.
+/// of cells, the one whose number of pieces comes nearest is taken; where all are far too many or too few, as for a comb, the smallest parts are merged. Where a border leaves a neck below the least width, the
+/// part beyond it is given to the piece across the border if that leaves wider ones. The outline gets corners where borders meet it, less than a lattice step away.
 ///
 /// Whimsies are cut out of the cells; their borders get a tab only where nothing else holds them.
 ///
@@ -388,7 +389,11 @@ fn shaped(
         count = next.clamp(1, (MOST_CELLS * options.pieces).min(2 * MOST_PIECES));
         shift = [0, 1].map(|_| random.signed_unit());
     }
-    best.map(|(_, puzzle)| puzzle).ok_or(failed.unwrap_or(PuzzleError::Narrow { piece: 0 }))
+    let mended = |puzzle: Puzzle| {
+        let least = options.least_neck(puzzle.unit());
+        mend::mended(puzzle, least)
+    };
+    best.map(|(_, puzzle)| mended(puzzle)).ok_or(failed.unwrap_or(PuzzleError::Narrow { piece: 0 }))
 }
 
 /// How far a number of pieces is from the one asked for: the logarithm of their ratio, without its sign.

@@ -63,7 +63,7 @@ fn each_segment_belongs_to_two_pieces_bit_by_bit_or_to_the_outline() {
     }
 }
 
-/// A bar with thin teeth, which cells cut into many parts; and strips that are much longer than two regular hexagons.
+/// A bar with thin teeth, which cells cut into many parts, also lengthwise; and strips that are much longer than two regular hexagons.
 #[test]
 fn about_as_many_pieces_as_asked_for_whatever_the_shape() {
     let mut points = vec![[0.0, 0.0], [240.0, 0.0]];
@@ -106,8 +106,19 @@ fn about_as_many_pieces_as_asked_for_whatever_the_shape() {
                 size: [236.0, 160.0],
                 ..PuzzleOptions::default()
             };
-            let found = make(&options).unwrap().pieces();
+            let puzzle = make(&options).unwrap();
+            let found = puzzle.pieces();
             assert!(10 * found.abs_diff(pieces) <= pieces, "{layout:?}: {found} of {pieces}");
+            // Borders that run along a tooth left parts that hang by a 30th of its width.
+            let necks = (0..found).filter_map(|piece| puzzle.neck(piece));
+            let least = necks.map(|neck| neck.width).fold(f64::INFINITY, f64::min);
+            assert!(least > 1.0, "{layout:?} {pieces}: a neck of {least} where teeth are 2 wide");
+            let sum: f64 = (0..found).map(|piece| puzzle.area(piece)).sum();
+            assert!((sum / (2360.0 + 40.0 * 300.0) - 1.0).abs() < 1e-6, "{layout:?} {pieces}: {sum}");
+            for piece in 0..found {
+                let outline = Outline::new(puzzle.outline(piece)).unwrap();
+                assert_eq!(first_crossing(&outline), None, "{layout:?} {pieces}: piece {piece}");
+            }
         }
     }
     for size in [[10.0, 150.0], [150.0, 10.0], [10.0, 40.0]] {
