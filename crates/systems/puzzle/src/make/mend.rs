@@ -5,20 +5,22 @@ use crate::Puzzle;
 use crate::neck::Neck;
 use crate::space::Corner;
 use pompeiu_planar::{Point, distance_sq_to_segment};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// The largest number of necks that are looked at.
+/// The largest number of cuts that are tried, and of pieces that are looked at for narrow necks in all of them.
 const MOST: usize = 100;
+const LOOKS: usize = 10_000;
 
 /// Cuts pieces at necks below a width, the narrowest first, and gives the smaller part to the neighbour with which it has the longest common
 /// border, where fewer or wider necks are left by that. The number of pieces stays. Necks of the outline itself stay, too.
-pub(super) fn mended(mut puzzle: Puzzle, least: f64) -> Puzzle {
+pub(crate) fn mended(mut puzzle: Puzzle, least: f64) -> Puzzle {
     if !puzzle.whimsies.is_empty() {
         return puzzle;
     }
     let mut given_up: Vec<[Point; 2]> = Vec::new();
     let mut necks = narrow(&puzzle, least);
-    for _ in 0..MOST {
+    for _ in 0..MOST.min(LOOKS / puzzle.pieces()) {
         let open = necks.iter().filter(|(_, neck)| !given_up.contains(&neck.ends));
         let Some((piece, neck)) = open.min_by(|a, b| a.1.width.total_cmp(&b.1.width)) else { break };
         let changed = parted(&puzzle, *piece, neck).map(|changed| (narrow(&changed, least), changed));
@@ -34,7 +36,7 @@ pub(super) fn mended(mut puzzle: Puzzle, least: f64) -> Puzzle {
 
 /// The pieces with a neck below a width.
 fn narrow(puzzle: &Puzzle, least: f64) -> Vec<(usize, Neck)> {
-    let necks = (0..puzzle.pieces()).filter_map(|piece| Some((piece, puzzle.neck(piece)?)));
+    let necks = (0..puzzle.pieces()).into_par_iter().filter_map(|piece| Some((piece, puzzle.neck(piece)?)));
     necks.filter(|(_, neck)| neck.width < least).collect()
 }
 
@@ -85,4 +87,32 @@ fn parted(puzzle: &Puzzle, piece: usize, neck: &Neck) -> Option<Puzzle> {
     graph.remove(|half| owner[half] == Some(small) && owner[half ^ 1] == Some(into));
     let faces = graph.faces().ok()?;
     (faces.len() == puzzle.pieces()).then(|| graph.puzzle(&faces, puzzle.step, puzzle.size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tooth_that_a_border_splits_goes_to_one_piece() {
+        let around =
+            [[0, 0], [42, 0], [100, 0], [100, 20], [50, 20], [50, 80], [42, 80], [40, 80], [40, 20], [0, 20]];
+        let outline: Vec<[Corner; 2]> =
+            (0..around.len()).map(|i| [around[i], around[(i + 1) % around.len()]]).collect();
+        let edges = outline.iter().copied().chain([[[42, 0], [42, 80]]]).collect();
+        let mut graph = Graph::of_edges(edges, &outline);
+        let faces = graph.faces().unwrap();
+        let split = graph.puzzle(&faces, 1.0, [100, 80]);
+        let least = |puzzle: &Puzzle| {
+            let necks = (0..puzzle.pieces()).filter_map(|piece| puzzle.neck(piece));
+            necks.map(|neck| neck.width).fold(f64::INFINITY, f64::min)
+        };
+        assert_eq!((split.pieces(), least(&split)), (2, 2.0));
+        let whole = mended(split.clone(), 6.0);
+        assert_eq!((whole.pieces(), whole.outline_area()), (2, split.outline_area()));
+        assert!(least(&whole) >= 6.0, "{}", least(&whole));
+        let areas: f64 = (0..2).map(|piece| whole.area(piece)).sum();
+        assert_eq!(areas, whole.outline_area());
+        assert_eq!(mended(split.clone(), 1.9), split, "necks that are wide enough stay");
+    }
 }

@@ -8,6 +8,7 @@ mod tree;
 mod whimsy;
 
 pub(crate) use clip::faces_within;
+pub(crate) use mend::mended;
 pub(crate) use tree::lock_by_tabs;
 
 use crate::space::Corner;
@@ -389,11 +390,11 @@ fn shaped(
         count = next.clamp(1, (MOST_CELLS * options.pieces).min(2 * MOST_PIECES));
         shift = [0, 1].map(|_| random.signed_unit());
     }
-    let mended = |puzzle: Puzzle| {
+    let mend = |puzzle: Puzzle| {
         let least = options.least_neck(puzzle.unit());
-        mend::mended(puzzle, least)
+        mended(puzzle, least)
     };
-    best.map(|(_, puzzle)| mended(puzzle)).ok_or(failed.unwrap_or(PuzzleError::Narrow { piece: 0 }))
+    best.map(|(_, puzzle)| mend(puzzle)).ok_or(failed.unwrap_or(PuzzleError::Narrow { piece: 0 }))
 }
 
 /// How far a number of pieces is from the one asked for: the logarithm of their ratio, without its sign.

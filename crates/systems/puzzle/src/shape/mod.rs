@@ -23,7 +23,7 @@ pub use pose::Pose;
 pub use register::{Registered, register};
 pub use target::PieceShape;
 
-use crate::make::{faces_within, lock_by_tabs, step};
+use crate::make::{faces_within, lock_by_tabs, mended, step};
 use crate::space::Corner;
 use crate::{Puzzle, PuzzleError, PuzzleOptions};
 use place::Placed;
@@ -171,6 +171,9 @@ pub(crate) fn make_like_until(
         (poses, energy, puzzle)
     };
     smooth::smooth(&mut puzzle);
+    // Wider necks than that may be those of the shape.
+    let least = NARROWER[NARROWER.len() - 1] * options.least_neck(puzzle.unit());
+    puzzle = mended(puzzle, least);
     let in_unit: Vec<Pose> = poses
         .iter()
         .map(|pose| Pose { place: pose.place.map(|x| x * frame.unit * frame.step), ..*pose })
