@@ -96,7 +96,7 @@ pub(crate) fn search(
     // Proofs that an observer wants to see name the faces of B.
     let own = if question.options.observer().wants_discards() { target.with_its_own_faces() } else { None };
     let target = own.as_ref().unwrap_or(target);
-    let rounding = Rounding::new(target.max_coordinate_with(a_box));
+    let rounding = target.rounding_with(a_box);
     let limits = question.limits(&joint, target.frame(), rounding);
     let stages = question.stages(&limits);
     let later = if b.is_some() { target.faces() * NEIGHBOURS } else { 0 };

@@ -10,6 +10,11 @@
 //! **Frame.** Mapping a coordinate rounds once, by at most `u M`, so each vertex moves by less than `sqrt(3) u M`: 2. Only
 //! vertices outside the box that the frame was made for can move at all, so B and the certified lower bound are not touched.
 //!
+//! **A turned frame** (`deviation/frame.rs`) moves each vertex by at most 8 more, of A and of B: 16 for a distance. Its M bounds the distance of all points
+//! from the origin, and a unit is a quarter larger there ([`OF_TURNED`]), so that every constant below has room for 24 more than is counted. The certified lower
+//! bound encloses the exact image of the point of A and is lowered by 8 for B (`Target::moved`). Areas come from enclosures and from exact determinants
+//! before the rotation, which keeps them.
+//!
 //! **A distance to a face** is computed as `|((p - a) - w (c - a)) - v (b - a)|` with `v, w >= 0` and `v + w <= 1` up to
 //! rounding, so it belongs to a point of the face, and where `v` and `w` came from does not matter. Per coordinate:
 //! `p - a` is off by 2, `v (b - a)` and `w (c - a)` together by 4 (each difference and each product, weighted), the two
@@ -59,12 +64,16 @@
 //! **The lower bound** is computed in interval arithmetic and needs no model. The search counts on it to lie no more than
 //! [`LOWER`] units below the plain computed distance; where it does not, the enclosure comes out wider, not wrong.
 
+use pompeiu_core::geom::{Aabb, Frame};
+
 /// Error of a bound at the corners of a piece, frame included, in units of `u M`.
 pub const EVALUATION: f64 = 96.0;
 /// Error that each cut adds, in units of `u M`.
 pub const CUT: f64 = 10.0;
 /// Room left for the certified lower bound below the computed one, in units of `u M`.
 pub const LOWER: f64 = 96.0;
+/// How much larger a unit is in a turned frame.
+const OF_TURNED: f64 = 1.25;
 /// Cuts that the least tolerance leaves room for.
 const CUTS_IN_FLOOR: f64 = 40.0;
 
@@ -79,6 +88,12 @@ impl Rounding {
     pub fn new(max_coordinate: f64) -> Self {
         let m = if max_coordinate > 0.25 { max_coordinate } else { 0.25 };
         Self { unit: m * (0.5 * f64::EPSILON) }
+    }
+
+    /// For points of a box in a frame.
+    pub(crate) fn in_frame(frame: &Frame, aabb: &Aabb) -> Self {
+        let max_coordinate = frame.max_coordinate(aabb);
+        Self::new(if frame.is_turned() { OF_TURNED * max_coordinate } else { max_coordinate })
     }
 
     /// How far a computed bound of a piece after `depth` cuts may lie below a true one.

@@ -1,6 +1,7 @@
 //! The mesh that distances are measured to, prepared for many questions.
 
 use crate::planar::Retriangulated;
+use crate::rounding::Rounding;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Leaves, Neighbours, Slot};
@@ -76,7 +77,7 @@ impl Target {
 
     /// How far the surface of the tree may be from the mesh, in the frame.
     pub(crate) fn moved(&self) -> f64 {
-        self.other_faces.as_ref().map_or(0.0, |other| other.moved)
+        self.frame.error() + self.other_faces.as_ref().map_or(0.0, |other| other.moved)
     }
 
     /// The face of the mesh that is nearest to a point, with its corners, given one of the tree that is. In the frame.
@@ -141,8 +142,15 @@ impl Target {
         self.frame.max_coordinate(&self.aabb.union(*a))
     }
 
-    /// The same target in the frame of a joint box, for the rare mesh that does not suit. Exact: see [`Frame`].
+    /// The rounding model for this mesh and one with the given box.
+    pub(crate) fn rounding_with(&self, a: &Aabb) -> Rounding {
+        Rounding::in_frame(&self.frame, &self.aabb.union(*a))
+    }
+
+    /// The same target in the frame of a joint box, for the rare mesh that does not suit. Exact: see [`Frame`]. A turned frame is that of a joint
+    /// box already, in which any mesh of it suits.
     pub(crate) fn reframed(&self, joint: &Aabb) -> Self {
+        debug_assert!(!self.frame.is_turned(), "a turned frame is made for both meshes");
         let frame = Frame::of(joint);
         let bvh = self.bvh.mapped(|p| frame.map(self.frame.unmap(p)));
         let other_faces = self.other_faces.as_ref().map(|other| {

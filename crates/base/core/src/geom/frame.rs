@@ -1,9 +1,11 @@
-//! A shift and a power-of-two scale that bring coordinates to the size of one.
+//! A shift and a power-of-two scale that bring coordinates to the size of one, and a rotation where that is wanted.
 
 use super::Aabb;
+use super::turn::Turn;
 use crate::exact::Interval;
+use glam::DMat3;
 
-/// The map `x -> x / 2^exponent - origin`, with `origin` in scaled units.
+/// The map `x -> x / 2^exponent - origin`, with `origin` in scaled units, in a [turned](Frame::turned) frame followed by a rotation.
 ///
 /// Scaling by a power of two is exact, so squares neither overflow nor underflow in any unit of the input. The origin is zero
 /// unless the box lies more than [`Frame::SHIFT_BEYOND`] times its own size away from it; then the subtraction removes the leading
@@ -12,7 +14,8 @@ use crate::exact::Interval;
 /// # Accuracy
 /// Each mapped coordinate `y` differs from the exact image by at most `2^-53 |y|` (the one subtraction), plus `2^-1074`
 /// where scaling down meets the subnormal range. Points of the box itself are mapped exactly, and back: with an origin
-/// other than zero they are multiples of `2^-51`, and so are their differences from it, which are below 1.
+/// other than zero they are multiples of `2^-51`, and so are their differences from it, which are below 1. A turned frame moves points
+/// further, by [`Frame::error`], and the way back is rounded too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     origin: [f64; 3],
@@ -20,6 +23,7 @@ pub struct Frame {
     /// the other rounds at most once.
     shrink: (f64, f64),
     grow: (f64, f64),
+    turn: Option<Turn>,
 }
 
 impl Frame {
@@ -47,36 +51,61 @@ impl Frame {
     }
 
     fn scaling(exponent: i32) -> Self {
-        Self { origin: [0.0; 3], shrink: factors(-exponent), grow: factors(exponent) }
+        Self { origin: [0.0; 3], shrink: factors(-exponent), grow: factors(exponent), turn: None }
+    }
+
+    /// The same frame followed by the nearest rotation to the given one whose exact entries are known, for points of a box in the unit of
+    /// the mesh.
+    #[must_use]
+    pub fn turned(self, rotation: DMat3, aabb: &Aabb) -> Self {
+        let plain = Self { turn: None, ..self };
+        let mapped = Aabb { lower: plain.map(aabb.lower), upper: plain.map(aabb.upper) };
+        Self { turn: Some(Turn::near(rotation, &mapped)), ..self }
+    }
+
+    /// Whether a rotation follows.
+    pub fn is_turned(&self) -> bool {
+        self.turn.is_some()
+    }
+
+    /// How far the rotation may leave points of its box from their exact images; zero in a frame that is not turned.
+    pub fn error(&self) -> f64 {
+        self.turn.as_ref().map_or(0.0, Turn::error)
     }
 
     /// A point in this frame.
     #[inline]
     pub fn map(&self, p: [f64; 3]) -> [f64; 3] {
         let (s, t) = self.shrink;
-        [p[0] * s * t - self.origin[0], p[1] * s * t - self.origin[1], p[2] * s * t - self.origin[2]]
+        let p = [p[0] * s * t - self.origin[0], p[1] * s * t - self.origin[1], p[2] * s * t - self.origin[2]];
+        self.turn.as_ref().map_or(p, |turn| turn.apply(p))
     }
 
-    /// Largest magnitude of a coordinate of a box in this frame.
+    /// Largest magnitude of a coordinate of a box in this frame; in a turned one the greatest distance from its origin, which bounds the
+    /// coordinates before and after the rotation.
     pub fn max_coordinate(&self, aabb: &Aabb) -> f64 {
-        Aabb { lower: self.map(aabb.lower), upper: self.map(aabb.upper) }.max_coordinate()
+        let plain = Self { turn: None, ..*self };
+        let mapped = Aabb { lower: plain.map(aabb.lower), upper: plain.map(aabb.upper) };
+        if self.is_turned() { Turn::reach_of(&mapped) } else { mapped.max_coordinate() }
     }
 
     /// Encloses the exact image of a point.
     pub fn enclosure(&self, p: [f64; 3]) -> [Interval; 3] {
         let (s, t) = self.shrink;
-        [0, 1, 2].map(|k| {
+        let p = [0, 1, 2].map(|k| {
             let scaled = p[k] * s * t;
             let exact = scaled == 0.0 && p[k] == 0.0 || scaled.abs() >= f64::MIN_POSITIVE;
             let scaled = if exact { Interval::point(scaled) } else { Interval::around(scaled) };
             if self.origin[k] == 0.0 { scaled } else { scaled - Interval::point(self.origin[k]) }
-        })
+        });
+        self.turn.as_ref().map_or(p, |turn| turn.enclosure(p))
     }
 
     /// The point whose image is `p`, rounded.
     #[inline]
     pub fn unmap(&self, p: [f64; 3]) -> [f64; 3] {
         let (s, t) = self.grow;
+        let p = self.turn.as_ref().map_or(p, |turn| turn.back(p));
         [0, 1, 2].map(|k| (p[k] + self.origin[k]) * s * t)
     }
 

@@ -1,6 +1,7 @@
 //! Both directions, and what they say together.
 
 use super::entry::Sum;
+use super::frame::frame_of;
 use super::grid::Ruler;
 use super::inside::neighbours;
 use super::linear::{greater, lesser};
@@ -14,7 +15,7 @@ use super::run::{Pair, run};
 use super::statistics::{Percentile, StatisticsQuery, Summary, is_narrow};
 use super::unknown::unknown;
 use crate::coarse;
-use crate::engine::{Question, joint_frame};
+use crate::engine::Question;
 use crate::options::HausdorffOptions;
 use crate::prepared::PreparedPair;
 use crate::report::{Direction, StopReason};
@@ -88,7 +89,7 @@ impl DeviationOptions<'_> {
     }
 
     fn both(&self, a: &TriMesh, b: &TriMesh, there: Outcome, back: Outcome) -> Deviation {
-        let (frame, joint, rounding) = joint_frame(a, b);
+        let (frame, joint, rounding) = frame_of(a, b);
         let greater_percentiles = there.summary.as_ref().zip(back.summary.as_ref()).map(|(x, y)| {
             let both = x.percentiles.iter().zip(&y.percentiles);
             let greater = both.map(|(x, y)| super::run::greater_of(*x, *y));
@@ -142,7 +143,7 @@ impl DeviationOptions<'_> {
     ) -> Outcome {
         let started = Instant::now();
         let (from, to) = (prepared.measured(direction), prepared.other(direction));
-        let (frame, joint, rounding) = joint_frame(from, to);
+        let (frame, joint, rounding) = frame_of(from, to);
         let faces = from.faces().len() as u32;
         let least_time = LEAST_TIME * faces.saturating_add(to.faces().len() as u32);
         let least_room = if are_summed(self.accuracy, from.faces().len() + to.faces().len()) {

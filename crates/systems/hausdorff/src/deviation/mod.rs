@@ -30,6 +30,7 @@ mod face;
 mod faces;
 mod facets;
 mod forecast;
+mod frame;
 mod fronts;
 mod grid;
 mod inside;
@@ -63,6 +64,7 @@ mod tessellation;
 mod unknown;
 mod walk;
 
+pub(crate) use frame::frame_of;
 pub(crate) use measure::VertexDistances;
 
 pub use bands::{BandError, BandReport, Bands, DirectedBands, Extreme};

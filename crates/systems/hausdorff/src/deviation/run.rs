@@ -22,7 +22,6 @@ use crate::observer::{MeanSoFar, Observer, Progress};
 use crate::options::HausdorffOptions;
 use crate::prepared::PreparedPair;
 use crate::report::{DirectedReport, Direction, StopReason};
-use crate::rounding::Rounding;
 use crate::search::Scene;
 use crate::target::Target;
 use pompeiu_core::TriMesh;
@@ -70,7 +69,7 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let a_box = ordered.aabb;
     let frame = *target.frame();
     let bvh = target.bvh();
-    let rounding = Rounding::new(target.max_coordinate_with(&a_box));
+    let rounding = target.rounding_with(&a_box);
 
     // At most half of the time for the largest distance.
     let half = deadline.map(|end| started + end.saturating_duration_since(started) / 2);

@@ -2,11 +2,12 @@
 
 use super::criterion::Criterion;
 use super::face::Cutter;
+use super::frame::frame_of;
 use super::linear::{greater, lesser};
 use super::polygon::Piece;
 use super::report::{DirectedDeviation, FaceDeviation};
 use super::task::Faces;
-use crate::engine::{bytes_to_start, joint_frame};
+use crate::engine::bytes_to_start;
 use crate::prepared::PreparedPair;
 use crate::report::Direction;
 use pompeiu_core::geom::Aabb;
@@ -70,7 +71,7 @@ impl DirectedDeviation {
     ) -> Vec<DisplayTriangle> {
         let control = Control::start(limits);
         let (mesh, other) = (pair.measured(self.direction), pair.other(self.direction));
-        let (frame, _, rounding) = joint_frame(mesh, other);
+        let (frame, _, rounding) = frame_of(mesh, other);
         control.check_memory(bytes_to_start(mesh, other));
         let Some(target) = pair.target_unless_stopped(self.direction, frame, &control) else {
             return self.whole_faces(mesh);

@@ -11,7 +11,7 @@ use super::snap::{Snap, rounded};
 use super::triangles::{Triangles, Vertices};
 use crate::PreparedPair;
 use crate::deviation::DirectedDeviation;
-use crate::engine::joint_frame;
+use crate::deviation::frame_of;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::run::{Control, Limits};
 use pompeiu_core::spatial::{Bvh, Slot, Workspace, morton_order};
@@ -188,7 +188,7 @@ impl Sampler<'_> {
         let (mesh, other) = (pair.measured(found.direction), pair.other(found.direction));
         let count = mesh.faces().len();
         let mut grids: Vec<Option<Grid>> = std::iter::repeat_with(|| None).take(count).collect();
-        let (frame, ..) = joint_frame(mesh, other);
+        let (frame, ..) = frame_of(mesh, other);
         control.check_memory(crate::engine::bytes_to_start(mesh, other));
         let Some(target) = pair.target_unless_stopped(found.direction, frame, &control) else { return grids };
         let sampler = Sampler { found, mesh, frame, bvh: target.bvh(), control: &control, tolerance };

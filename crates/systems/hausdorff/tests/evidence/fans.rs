@@ -6,7 +6,7 @@ use crate::signed::sides_agree;
 use crate::support::check_report;
 use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::{Affine, merge, transform};
-use pompeiu_hausdorff::{DeviationOptions, HausdorffOptions, StopReason, Target};
+use pompeiu_hausdorff::{DeviationOptions, Enclosure, HausdorffOptions, StopReason, SurfacePoint, Target};
 use std::f64::consts::TAU;
 
 /// Ends of n corners at height zero and one, the first of them at an angle.
@@ -63,9 +63,8 @@ fn what_fans_cross_is_little() {
 fn deviations_and_sides_hold() {
     for by in placements() {
         // Points in the plane of an end are on neither side of it.
-        let beside =
-            transform(&cylinder(48, 0.1, &Affine::translate([0.0; 3])), &Affine::translate([0.0, 0.0, 0.01]));
-        let (a, b) = (cylinder(40, 0.0, &by), transform(&beside.unwrap(), &by).unwrap());
+        let beside = cylinder(48, 0.1, &Affine::translate([0.0, 0.0, 0.01]));
+        let (a, b) = (cylinder(40, 0.0, &by), transform(&beside, &by).unwrap());
         let query = DeviationOptions {
             signed: true,
             threshold: Some(1e-3),
@@ -85,6 +84,46 @@ fn deviations_and_sides_hold() {
                     [0, 1, 2].map(|k| (0..3).map(|i| nearest.barycentric[i] * corners[i][k]).sum::<f64>());
                 assert!((0..3).all(|k| (at[k] - nearest.position[k]).abs() < 1e-13), "{nearest:?}");
             }
+        }
+    }
+}
+
+/// Faces of so many sides overlap by the hundreds along the axes: these are compared in a turned frame (`deviation/frame.rs`).
+#[test]
+fn deviations_of_turned_solids_are_those_of_the_solids() {
+    let query =
+        DeviationOptions { signed: true, threshold: Some(1e-3), regions: 2, ..DeviationOptions::default() };
+    let found = placements().map(|by| {
+        // Points in the plane of an end are on neither side of it.
+        let above = Affine::translate([0.0, 0.0, 0.01]);
+        let beside = cylinder(200, 0.1, &above);
+        let (a, b) = (cylinder(120, 0.0, &by), transform(&beside, &by).unwrap());
+        let found = query.symmetric(&a, &b).unwrap();
+        for (directed, from, to) in [(&found.a_to_b, &a, &b), (&found.b_to_a, &b, &a)] {
+            check(from, to, directed, 1e-3, 4);
+            sides_agree(directed, from, to);
+            for region in &directed.regions {
+                let of = |point: &SurfacePoint, mesh: &TriMesh| {
+                    let corners = mesh.corners(point.face);
+                    let at =
+                        [0, 1, 2].map(|k| (0..3).map(|i| point.barycentric[i] * corners[i][k]).sum::<f64>());
+                    assert!((0..3).all(|k| (at[k] - point.position[k]).abs() < 1e-13), "{point:?}");
+                };
+                of(&region.witness.from, from);
+                of(&region.witness.to, to);
+            }
+        }
+        found
+    });
+    let [upright, turned, far] = found.each_ref().map(|found| [&found.a_to_b, &found.b_to_a]);
+    for (i, direction) in upright.into_iter().enumerate() {
+        let [mean, largest] = [direction.statistics.as_ref().unwrap().mean, direction.distance.distance];
+        for other in [turned[i], far[i]] {
+            // Coordinates of the others are rounded.
+            let meets =
+                |x: Enclosure, y: Enclosure| x.lower() <= y.upper() + 1e-13 && y.lower() <= x.upper() + 1e-13;
+            assert!(meets(mean, other.statistics.as_ref().unwrap().mean));
+            assert!(meets(largest, other.distance.distance));
         }
     }
 }

@@ -5,7 +5,6 @@
 //! included, are those of the mesh with moved and *rounded* vertices.
 
 mod cholesky;
-mod eigen;
 mod equations;
 mod error;
 mod fixed;

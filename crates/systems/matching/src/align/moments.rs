@@ -1,10 +1,9 @@
 //! Area, centroid and second moments of a surface.
 
 use super::AlignError;
-use super::eigen::eigenvectors;
 use glam::{DMat3, DVec3};
 use pompeiu_core::TriMesh;
-use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::geom::{Aabb, Frame, eigenvectors};
 
 /// The moments of a surface, in the frame of its box.
 #[derive(Clone, Debug)]

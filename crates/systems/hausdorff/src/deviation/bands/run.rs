@@ -12,7 +12,8 @@ use super::cut::Cutting;
 use super::share::{Reach, Sign, Tally};
 use super::side::SideOf;
 use super::{BandReport, Bands, DirectedBands, Extreme};
-use crate::engine::{bytes_to_start, joint_frame};
+use crate::deviation::frame_of;
+use crate::engine::bytes_to_start;
 use crate::observer::{Observer, Progress};
 use crate::prepared::PreparedPair;
 use crate::report::{Direction, Enclosure, StopReason};
@@ -93,7 +94,7 @@ struct Question<'q> {
 impl Question<'_> {
     fn ask(&self, found: &DirectedDeviation, pair: &PreparedPair<'_>) -> DirectedBands {
         let (mesh, other) = (pair.measured(found.direction), pair.other(found.direction));
-        let (frame, _, rounding) = joint_frame(mesh, other);
+        let (frame, _, rounding) = frame_of(mesh, other);
         let control = Control::start(self.limits).until(self.deadline);
         control.check_memory(bytes_to_start(mesh, other));
         let Some(target) = pair.target_unless_stopped(found.direction, frame, &control) else {
@@ -168,7 +169,7 @@ impl Question<'_> {
             lowest: anywhere,
             highest: anywhere,
             shares: found.statistics.as_ref().map(|_| vec![share_of((0.0, 1.0)); classes]),
-            closed: Boundary::new(other, &joint_frame(other, other).0).is_empty(),
+            closed: Boundary::new(other, &frame_of(other, other).0).is_empty(),
             stop: control.reason().unwrap_or(StopReason::Time),
         }
     }

@@ -28,7 +28,7 @@ pub(super) struct SideOf<'s> {
 }
 
 enum ByFaces<'s> {
-    Closed(Inside<'s>),
+    Closed(Box<Inside<'s>>),
     Open(Patches<'s>),
     /// Faces tell nothing.
     Not,
@@ -46,7 +46,7 @@ impl<'s> SideOf<'s> {
         let by_faces = if boundary.is_empty() {
             let inside = || Inside::new(mesh, &neighbours(mesh)?, (bvh, frame), rounding, control);
             let inside = if winding.is_sheet() { None } else { inside().filter(Inside::is_by_faces) };
-            inside.map_or(ByFaces::Not, ByFaces::Closed)
+            inside.map_or(ByFaces::Not, |inside| ByFaces::Closed(Box::new(inside)))
         } else {
             Patches::new(mesh, (&winding, &boundary), (bvh, frame), rounding, control)
                 .map_or(ByFaces::Not, ByFaces::Open)

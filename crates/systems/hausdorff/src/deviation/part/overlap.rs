@@ -17,7 +17,7 @@ use super::Part;
 use super::pieces::{Fate, finest};
 use crate::PreparedPair;
 use crate::deviation::connected::places;
-use crate::engine::joint_frame;
+use crate::deviation::frame_of;
 use crate::report::Direction;
 use crate::target::Target;
 use glam::DVec3;
@@ -60,7 +60,7 @@ impl Part {
         control: &Control,
     ) -> Option<Self> {
         let Some(boundary) = boundary(pair.other(direction)) else { return Some(self.clone()) };
-        let frame = joint_frame(pair.a(), pair.b()).0;
+        let frame = frame_of(pair.a(), pair.b()).0;
         let (surface, boundary) =
             (pair.target(direction, frame), Target::in_frame(&boundary, frame, Leaves::Compact));
         let trees = [surface.bvh(), boundary.bvh()];

@@ -3,10 +3,10 @@
 use super::Part;
 use super::level::Level;
 use super::pieces::{Fate, finest};
+use crate::deviation::frame_of;
 use crate::deviation::linear::greater;
 use crate::deviation::measure::VertexDistances;
 use crate::deviation::options::DeviationOptions;
-use crate::engine::joint_frame;
 use crate::observer::{Observer, Progress};
 use crate::prepared::PreparedPair;
 use crate::report::{Direction, StopReason};
@@ -65,7 +65,7 @@ impl DeviationOptions<'_> {
         direction: Direction,
         length: f64,
     ) -> Option<Part> {
-        let (frame, _, rounding) = joint_frame(pair.a(), pair.b());
+        let (frame, _, rounding) = frame_of(pair.a(), pair.b());
         let control = Control::start(&self.limits);
         let target = pair.target(direction, frame);
         let comparison = Comparison {

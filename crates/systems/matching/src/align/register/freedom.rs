@@ -1,8 +1,8 @@
 //! Motions that leave an alignment unchanged.
 
-use super::super::eigen::eigenpairs;
 use super::super::equations::Equations;
 use glam::DVec3;
+use pompeiu_core::geom::eigenpairs;
 
 /// A motion is free if its eigenvalue is below this share of the largest one: it moves points along their normals by less than the
 /// square root of this share.

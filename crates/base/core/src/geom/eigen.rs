@@ -1,4 +1,4 @@
-//! Principal axes.
+//! Principal axes of symmetric matrices.
 
 use glam::{DMat3, DVec3};
 
@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 const SWEEPS: usize = 12;
 
 /// Unit eigenvectors of a symmetric matrix, that of the largest eigenvalue first, as the columns of a rotation.
-pub(super) fn eigenvectors(symmetric: DMat3) -> DMat3 {
+pub fn eigenvectors(symmetric: DMat3) -> DMat3 {
     let [(_, first), (_, second), _] = eigenpairs(symmetric.to_cols_array_2d());
     let [first, second] = [first, second].map(DVec3::from_array);
     DMat3::from_cols(first, second, first.cross(second))
@@ -17,7 +17,7 @@ pub(super) fn eigenvectors(symmetric: DMat3) -> DMat3 {
 /// # Source
 /// The cyclic Jacobi method, `golub_matrix_2013`, section 8.5: for small matrices it is short, accurate, and the same on every
 /// machine.
-pub(super) fn eigenpairs<const N: usize>(symmetric: [[f64; N]; N]) -> [(f64, [f64; N]); N] {
+pub fn eigenpairs<const N: usize>(symmetric: [[f64; N]; N]) -> [(f64, [f64; N]); N] {
     let mut a = symmetric;
     let mut v: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
     for _ in 0..SWEEPS {
@@ -57,7 +57,7 @@ fn rotate<const N: usize>(a: &mut [[f64; N]; N], v: &mut [[f64; N]; N], p: usize
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pompeiu_core::mesh::Random;
+    use crate::mesh::Random;
 
     #[test]
     fn finds_the_axes_of_random_matrices() {
