@@ -73,6 +73,36 @@ fn needles_become_about_as_many_faces_as_their_area_holds() {
     assert!(distance(&found) < 1e-9 && found.after.least_angle.least > 20.0, "{:?}", found.after);
 }
 
+/// A surface of revolution about the z axis whose section is a polygon of radii and heights.
+fn turned(section: &[[f64; 2]], segments: u32) -> TriMesh {
+    let rows = section.len() as u32;
+    let at = |i: u32, [radius, height]: [f64; 2]| {
+        let angle = std::f64::consts::TAU * f64::from(i) / f64::from(segments);
+        [radius * angle.cos(), radius * angle.sin(), height]
+    };
+    let positions = (0..segments).flat_map(|i| section.iter().map(move |p| at(i, *p))).collect();
+    let quads = (0..segments).flat_map(|i| (0..rows).map(move |k| (i, k)));
+    let faces = quads.flat_map(|(i, k)| {
+        let [this, next] = [i * rows, (i + 1) % segments * rows];
+        let (here, there) = (k, (k + 1) % rows);
+        [[this + here, next + here, next + there], [this + here, next + there, this + there]]
+    });
+    TriMesh::new(positions, faces.collect()).unwrap()
+}
+
+#[test]
+fn needles_across_sharp_edges_do_not_stay() {
+    // Edges asked for are hundreds of times as long as chords of the input, and longer than the tube is thick.
+    let tube = turned(&[[1.0, 0.0], [1.0, 3.0], [0.8, 3.0], [0.8, 0.0]], 600);
+    let shaft =
+        turned(&[[0.2, 0.0], [1.0, 0.0], [1.0, 2.0], [0.6, 2.0], [0.6, 4.0], [0.8, 4.0], [0.2, 5.0]], 600);
+    for (mesh, target) in [(tube, 1.0), (shaft, 0.6)] {
+        let found = with_length(&mesh, target);
+        assert!(found.after.faces < 400, "{:?}", found.after);
+        assert!(found.after.near_target.is_some_and(|share| share > 0.6), "{:?}", found.after);
+    }
+}
+
 #[test]
 fn tips_are_reached_though_edges_are_longer_than_they_are_wide() {
     let spikes = shapes::icosphere(1.0, 4).unwrap();
