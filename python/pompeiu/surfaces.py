@@ -397,7 +397,7 @@ def remesh(
         An oriented manifold.
     edge_length : Union[float, str], optional
         Length of edges, such as 2, 2mm with the unit given, or 1% of the diagonal; by default the mean of those of the
-        mesh.
+        mesh, at most 4/3 of those of as many equilateral faces with its area.
     relative : float, optional
         Length of edges as a fraction of the diagonal of the bounding box.
     adaptive : Union[float, str], optional

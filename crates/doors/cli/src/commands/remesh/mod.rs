@@ -19,7 +19,8 @@ pub(crate) type Remesh = Invocation<Files>;
 
 #[derive(Args)]
 #[command(after_help = "\
-Of --edge-length, --relative and --adaptive at most one is given; without any, edges are as long as those of the mesh in the mean. Edges are split, collapsed and flipped, vertices move within the surface
+Of --edge-length, --relative and --adaptive at most one is given; without any, edges are as long as those of the mesh in the
+mean, or shorter where its faces are long and thin: at most 4/3 of those of as many equilateral faces. Edges are split, collapsed and flipped, vertices move within the surface
 and onto the input. Topology, boundaries and the edges that --features names are kept. The Pompeiu–Hausdorff distance from the
 input is measured; with --within it is proven to be at most that length, for which edges are shortened where they must be; otherwise
 nothing is written. The mesh must be an oriented manifold, with or without boundary. Colours, texture coordinates and materials are
@@ -77,7 +78,7 @@ impl System for Files {
             ));
         }
         if answer.report.is_far {
-            printer.warning(text::far(&answer.report));
+            printer.warning(text::far(&answer.report, request.features.is_some()));
         }
         let attributes = carried.attributes(&found.mesh, &found.kept)?;
         files::write_shifted(&self.output, &found.mesh, &attributes, &found.rounding, printer)?;

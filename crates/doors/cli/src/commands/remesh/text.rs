@@ -9,8 +9,8 @@ use pompeiu::remesh::{Quality, RemeshReport};
 use std::fmt::Write;
 use std::path::Path;
 
-/// That a result is far from the input, and what can be done.
-pub(super) fn far(found: &RemeshReport) -> String {
+/// That a result is far from the input, and what can be done: creases that are kept already are not advised.
+pub(super) fn far(found: &RemeshReport, keeps_creases: bool) -> String {
     let mut facts = Vec::new();
     if let Some(report) = &found.distance {
         let of_edges = match found.edge_length {
@@ -24,9 +24,13 @@ pub(super) fn far(found: &RemeshReport) -> String {
     if let Some(share) = found.volume_share {
         facts.push(format!("encloses {:.1} % of its volume", 100.0 * share));
     }
+    let advice = if keeps_creases {
+        "ask for shorter edges or for a distance (--within)"
+    } else {
+        "ask for shorter edges, for a distance (--within), or keep sharp edges (--features 40)"
+    };
     format!(
-        "the result {}: parts of the input are narrower than edges are long; ask for shorter edges, for a distance (--within), or keep sharp \
-         edges (--features 40)",
+        "the result {}: parts of the input are narrower than edges are long, or bend within that length; {advice}",
         facts.join(" and ")
     )
 }
