@@ -8,9 +8,9 @@ use glam::{DMat3, DQuat};
 /// are rounded once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Turn {
-    numerators: [[f64; 3]; 3],
-    denominator: f64,
-    /// The quotients, rounded.
+    /// The integers, the real part last.
+    quaternion: [f64; 4],
+    /// The matrix, rounded.
     rows: [[f64; 3]; 3],
     /// How far from the origin the points are that it was made for.
     reach: f64,
@@ -26,15 +26,10 @@ impl Turn {
     /// The nearest to a rotation, for points of a box.
     pub(super) fn near(rotation: DMat3, aabb: &Aabb) -> Self {
         let quaternion = DQuat::from_mat3(&rotation).normalize();
-        let [x, y, z, w] = quaternion.to_array().map(|component| (Self::MOST * component).round());
-        let numerators = [
-            [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-            [2.0 * (x * y + w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z - w * x)],
-            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z],
-        ];
-        let denominator = w * w + x * x + y * y + z * z;
+        let quaternion = quaternion.to_array().map(|component| (Self::MOST * component).round());
+        let (numerators, denominator) = matrix(quaternion);
         let rows = numerators.map(|row| row.map(|entry| entry / denominator));
-        Self { numerators, denominator, rows, reach: Self::reach_of(aabb) }
+        Self { quaternion, rows, reach: Self::reach_of(aabb) }
     }
 
     /// The greatest distance of a point of a box from the origin, rounded up.
@@ -62,12 +57,23 @@ impl Turn {
 
     /// Encloses the exact image of a point.
     pub(super) fn enclosure(&self, [x, y, z]: [Interval; 3]) -> [Interval; 3] {
-        let denominator = Interval::point(self.denominator);
-        self.numerators.map(|row| {
+        let (numerators, denominator) = matrix(self.quaternion);
+        let denominator = Interval::point(denominator);
+        numerators.map(|row| {
             let [a, b, c] = row.map(Interval::point);
             (a * x + b * y + c * z).divide_by_positive(denominator)
         })
     }
+}
+
+/// The matrix of a quaternion of integers: the integers that are its entries when they are divided by the last result.
+fn matrix([x, y, z, w]: [f64; 4]) -> ([[f64; 3]; 3], f64) {
+    let numerators = [
+        [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ];
+    (numerators, w * w + x * x + y * y + z * z)
 }
 
 #[cfg(test)]
@@ -85,9 +91,10 @@ mod tests {
             let rotation = DMat3::from_quat(DQuat::from_xyzw(a, b, c, d).normalize());
             let turn = Turn::near(rotation, &around);
             // All numbers are integers below 2^42, so the products of this test are exact in 128 bits.
-            let rows = turn.numerators.map(|row| row.map(|entry| entry as i128));
+            let (numerators, denominator) = matrix(turn.quaternion);
+            let rows = numerators.map(|row| row.map(|entry| entry as i128));
             let of = |i: usize, j: usize| (0..3).map(|k| rows[i][k] * rows[j][k]).sum::<i128>();
-            let square = (turn.denominator as i128).pow(2);
+            let square = (denominator as i128).pow(2);
             for i in 0..3 {
                 for j in 0..3 {
                     assert_eq!(of(i, j), if i == j { square } else { 0 });
