@@ -1,6 +1,6 @@
 //! The rounding model: what separates computed numbers from proven ones.
 //!
-//! Everything is computed in a [`Frame`](pompeiu_core::geom::Frame) in which all coordinates of A and B are at most `M`
+//! Everything is computed in a [`Frame`] in which all coordinates of A and B are at most `M`
 //! in magnitude (about 1 where the meshes lie together). Let `u = 2^-53`, so that a rounded operation is off by at most
 //! `u` times its result; the bounds below are in units of `u M`, to first order in `u`, each rounded up generously, and
 //! the constants are rounded up again to cover the terms of second order and underflow (far below `u M`, since `M >= 1/4`).
@@ -11,7 +11,7 @@
 //! vertices outside the box that the frame was made for can move at all, so B and the certified lower bound are not touched.
 //!
 //! **A turned frame** (`deviation/frame.rs`) moves each vertex by at most 8 more, of A and of B: 16 for a distance. Its M bounds the distance of all points
-//! from the origin, and a unit is a quarter larger there ([`OF_TURNED`]), so that every constant below has room for 24 more than is counted. The certified lower
+//! from the origin, and a unit is a quarter larger there (`OF_TURNED`), so that every constant below has room for 24 more than is counted. The certified lower
 //! bound encloses the exact image of the point of A and is lowered by 8 for B (`Target::moved`). Areas come from enclosures and from exact determinants
 //! before the rotation, which keeps them.
 //!
