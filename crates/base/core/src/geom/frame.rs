@@ -58,9 +58,7 @@ impl Frame {
     /// the mesh.
     #[must_use]
     pub fn turned(self, rotation: DMat3, aabb: &Aabb) -> Self {
-        let plain = Self { turn: None, ..self };
-        let mapped = Aabb { lower: plain.map(aabb.lower), upper: plain.map(aabb.upper) };
-        Self { turn: Some(Turn::near(rotation, &mapped)), ..self }
+        Self { turn: Some(Turn::near(rotation, &self.shifted_box(aabb))), ..self }
     }
 
     /// Whether a rotation follows.
@@ -76,17 +74,27 @@ impl Frame {
     /// A point in this frame.
     #[inline]
     pub fn map(&self, p: [f64; 3]) -> [f64; 3] {
-        let (s, t) = self.shrink;
-        let p = [p[0] * s * t - self.origin[0], p[1] * s * t - self.origin[1], p[2] * s * t - self.origin[2]];
+        let p = self.shifted(p);
         self.turn.as_ref().map_or(p, |turn| turn.apply(p))
+    }
+
+    /// A point before the rotation.
+    #[inline]
+    fn shifted(&self, p: [f64; 3]) -> [f64; 3] {
+        let (s, t) = self.shrink;
+        [p[0] * s * t - self.origin[0], p[1] * s * t - self.origin[1], p[2] * s * t - self.origin[2]]
+    }
+
+    /// A box before the rotation.
+    fn shifted_box(&self, aabb: &Aabb) -> Aabb {
+        Aabb { lower: self.shifted(aabb.lower), upper: self.shifted(aabb.upper) }
     }
 
     /// Largest magnitude of a coordinate of a box in this frame; in a turned one the greatest distance from its origin, which bounds the
     /// coordinates before and after the rotation.
     pub fn max_coordinate(&self, aabb: &Aabb) -> f64 {
-        let plain = Self { turn: None, ..*self };
-        let mapped = Aabb { lower: plain.map(aabb.lower), upper: plain.map(aabb.upper) };
-        if self.is_turned() { Turn::reach_of(&mapped) } else { mapped.max_coordinate() }
+        let shifted = self.shifted_box(aabb);
+        if self.is_turned() { Turn::reach_of(&shifted) } else { shifted.max_coordinate() }
     }
 
     /// Encloses the exact image of a point.

@@ -21,6 +21,6 @@ pub use edit::{
 };
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
-pub use topology::{Connectivity, MeshSummary, UnionFind, unreferenced_vertices};
+pub use topology::{Connectivity, MeshSummary, UnionFind, area, unreferenced_vertices};
 pub use trimesh::TriMesh;
 pub use unit_factor::unit_factor;

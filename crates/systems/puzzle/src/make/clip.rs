@@ -2,6 +2,7 @@
 
 use crate::space::Corner;
 use crate::{Border, Puzzle, PuzzleError};
+use pompeiu_core::mesh::UnionFind;
 use pompeiu_planar::Outline;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -285,7 +286,7 @@ impl Graph {
             }
         }
         let mut doubled: Vec<i128> = faces.iter().map(|face| face.doubled).collect();
-        let mut part: Vec<usize> = (0..faces.len()).collect();
+        let mut parts = UnionFind::new(faces.len());
         let (mut count, mut looks) = (faces.len(), 0);
         while let Some(&(area, small)) = open.first() {
             if !is_one_too_many(count, area) {
@@ -307,7 +308,7 @@ impl Graph {
                     *sharing[into].entry(neighbour).or_insert(0.0) += length;
                 }
             }
-            part[from] = into;
+            parts.union(from, into);
             doubled[into] = doubled[small] + doubled[other];
             open.insert((doubled[into], into));
             count -= 1;
@@ -315,16 +316,9 @@ impl Graph {
         if count == faces.len() {
             return Ok((faces, looks));
         }
-        for f in 0..part.len() {
-            let mut root = f;
-            while part[root] != root {
-                root = part[root];
-            }
-            part[f] = root;
-        }
         for e in 0..self.edges.len() {
             let [left, right] = [owner[2 * e], owner[2 * e + 1]];
-            let is_between = left.zip(right).is_some_and(|(a, b)| a != b && part[a] == part[b]);
+            let is_between = left.zip(right).is_some_and(|(a, b)| a != b && parts.find(a) == parts.find(b));
             if is_between && self.whimsy_of[e].is_none() {
                 self.is_alive[e] = false;
             }

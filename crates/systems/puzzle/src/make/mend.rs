@@ -51,6 +51,9 @@ fn parted(puzzle: &Puzzle, piece: usize, neck: &Neck) -> Option<Puzzle> {
         sides.extend(border.corners.windows(2).map(|pair| ([pair[0], pair[1]], of)));
     }
     let ends = neck.ends.map(|end| end.map(|x| (x / puzzle.step).round() as i64));
+    if ends[0] == ends[1] {
+        return None;
+    }
     for end in ends {
         if sides.iter().any(|(side, [_, is_own])| *is_own && side.contains(&end)) {
             continue;
@@ -63,9 +66,6 @@ fn parted(puzzle: &Puzzle, piece: usize, neck: &Neck) -> Option<Puzzle> {
         let ([a, b], of) = sides[nearest];
         sides[nearest] = ([a, end], of);
         sides.push(([end, b], of));
-    }
-    if ends[0] == ends[1] {
-        return None;
     }
     let outer =
         sides.iter().filter(|(_, [is_outer, _])| *is_outer).map(|(side, _)| *side).collect::<Vec<_>>();

@@ -5,7 +5,7 @@ use crate::{
     Sizing, remesh,
 };
 use pompeiu_core::geom::Aabb;
-use pompeiu_core::mesh::{Coordinates, MeshSummary, Rounding};
+use pompeiu_core::mesh::{Coordinates, Rounding, area};
 use pompeiu_core::request::{Conclusion, Length, Limit, Report, Request};
 use pompeiu_core::run::{RunContext, StopReason};
 use pompeiu_core::{TriMesh, VertexId};
@@ -231,7 +231,7 @@ impl RemeshRequest {
 fn usual_length(mesh: &TriMesh) -> Result<f64, RemeshError> {
     let quality = Quality::of(mesh)?;
     let mean = quality.edge_length.mean;
-    let area_of_face = MeshSummary::of(mesh).area / quality.faces as f64;
+    let area_of_face = area(mesh) / quality.faces as f64;
     let equilateral = (area_of_face * 4.0 / 3.0_f64.sqrt()).sqrt();
     let most = MOST_OF_EQUILATERAL * equilateral;
     let least = LEAST_OF_MEAN * mean;

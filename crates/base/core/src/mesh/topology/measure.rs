@@ -7,8 +7,16 @@ use rayon::prelude::*;
 /// Faces per partial sum; fixed, so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 14;
 
-/// Sum of the areas of all faces.
-pub(super) fn area(mesh: &TriMesh, bounding_box: &Aabb) -> f64 {
+/// Sum of the areas of all faces, in squared length; rounded, infinite beyond the range of `f64`.
+///
+/// # Cost
+/// O(m) time on the threads of the current pool; the same sum for any number of them.
+pub fn area(mesh: &TriMesh) -> f64 {
+    area_in(mesh, &Aabb::of_faces(mesh))
+}
+
+/// The same of a mesh with a known bounding box.
+pub(super) fn area_in(mesh: &TriMesh, bounding_box: &Aabb) -> f64 {
     let frame = Frame::of(bounding_box);
     let doubled = sum(mesh, &frame, |corners| {
         let n = doubled_normal(corners);

@@ -10,6 +10,7 @@ pub(super) mod union_find;
 
 pub use connectivity::Connectivity;
 pub use degenerate::is_degenerate;
+pub use measure::area;
 pub use union_find::UnionFind;
 
 use super::TriMesh;
@@ -68,7 +69,7 @@ impl MeshSummary {
                 .count(),
             duplicate_faces: duplicates(mesh, &edges),
             seam_edges: seams::seam_edges(mesh, &edges),
-            area: measure::area(mesh, &bounding_box),
+            area: measure::area_in(mesh, &bounding_box),
             volume: connectivity.encloses_volume.then(|| measure::volume(mesh, &bounding_box)),
             bounding_box,
             connectivity,
