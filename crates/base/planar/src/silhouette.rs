@@ -69,11 +69,13 @@ pub enum SilhouetteError {
 /// Pixels: x to the right, y downwards, the centre of the upper left pixel at 0, 0.
 ///
 /// # Definition
-/// The picture is surrounded by background. The default level is the one that separates the levels best (`otsu_threshold_1979`).
+/// The picture is surrounded by background. The default level is the one that separates the levels best (`otsu_threshold_1979`), of several
+/// that do so equally well the one nearest to the middle between the medians of both classes.
 ///
 /// The outline of a picture of two levels is the smoothest curve within half a pixel of the sides of its pixels, with
 /// corners where straight sides meet within that distance; that of a picture with levels between, as anti-aliasing makes them, is the
-/// smoothest within 0.15 pixels of where the level is between the centres of pixels.
+/// smoothest within 0.15 pixels of where the level is between the centres of pixels. A curve that is nowhere farther inside its convex hull than
+/// that becomes its hull.
 ///
 /// # Accuracy
 /// No bound is proven. The example `pictures` of `pompeiu-complexity` counts in how many cases compactness and total curvature are within 2 % of
@@ -82,7 +84,13 @@ pub enum SilhouetteError {
 /// so is the compactness of thin tips, bars and teeth. A detail of less than half a pixel is lost: a dent of half a pixel in a straight side is not
 /// in the outline.
 ///
-/// A picture of two levels leaves such values open. A gear of 14 teeth, 120 pixels across, whose sides are 9 to 11 pixels long, and the shortest
+/// Of 32 shapes at five angles, anti-aliased and written as PNG, compactness is within 2 % of the shape's in all 160 pictures of 256 and 512 pixels, and in
+/// 146 of 128; total curvature in all of 512, in 156 of 256 and in 147 of 128; JPEG pictures of quality 90 and 60 have nearly the same counts. What
+/// is off has sides or notches of less than 7 pixels, or cusps. In pictures of two levels compactness is within 2 % in all of 512
+/// pixels, in 148 of 256 and in 119 of 128.
+///
+/// A picture of two levels leaves such values open. The pixels of a side at 45° are the same while the side moves by .7 pixels: the width of a bar 15 pixels wide is
+/// known to 9 %, and its compactness may be off by 3 %. A gear of 14 teeth, 120 pixels across, whose sides are 9 to 11 pixels long, and the shortest
 /// curve around its pixels have the same picture, pixel for pixel; the compactness of the curve is 15 % greater. Where two corners are nearer to
 /// each other than some ten pixels, both may come out round.
 ///
@@ -212,7 +220,8 @@ const BINS: usize = 256;
 /// Pictures with a smaller range of levels, such as masks of 16 bits with the values 0 and 1, have bins for that range alone.
 const NARROW: f64 = 16.0 / 255.0;
 
-/// The level that maximises the variance between the two classes; the middle of all such levels. The levels lie between `low` and `high`.
+/// The level that maximises the variance between the two classes: of all such levels the one nearest to the middle between the medians of
+/// the classes, where the outline of an anti-aliased shape lies. The levels lie between `low` and `high`.
 fn otsu(levels: &[f32], (low, high): (f32, f32)) -> f64 {
     let (low, high) = (f64::from(low), f64::from(high));
     let (low, width) = if low < high && high - low < NARROW { (low, high - low) } else { (0.0, 1.0) };
@@ -238,5 +247,18 @@ fn otsu(levels: &[f32], (low, high): (f32, f32)) -> f64 {
             best.2 = i;
         }
     }
-    low + width * ((0.5 * (best.1 + best.2) as f64 + 0.5) / 255.0)
+    let (dark, light) = counts.split_at(best.1 + 1);
+    let middle = 0.5 * (median(dark) + (best.1 + 1) as f64 + median(light));
+    low + width * middle.clamp(best.1 as f64 + 0.5, best.2 as f64 + 0.5) / 255.0
+}
+
+/// The bin in which half of the counts are reached.
+fn median(counts: &[u64]) -> f64 {
+    let half = counts.iter().sum::<u64>().div_ceil(2);
+    let mut sum = 0;
+    let reached = counts.iter().position(|count| {
+        sum += count;
+        sum >= half
+    });
+    reached.unwrap_or(0) as f64
 }

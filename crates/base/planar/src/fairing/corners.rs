@@ -16,19 +16,41 @@ const LEAST_TURN: f64 = 0.35;
 /// What the steps of pixels add to the length of a bend.
 const SLACK: f64 = 2.0;
 
-/// The length on both sides of a bend that must be straight, in pixels, after the first one of them.
-const FLANK: [f64; 2] = [1.0, 7.0];
+/// How far from a bend its flanks begin, in pixels.
+const FLANK: f64 = 1.0;
 
 /// How much of the bend's turn a flank may turn the same way, and the other way, which it does where a corner has been rounded.
 const SAME_WAY: f64 = 0.3;
 const OTHER_WAY: f64 = 0.6;
 
-/// How far on both sides of a bend stations are taken out, in pixels.
-const CLEAR: f64 = 1.6;
-
-/// The length on both sides that is extended, in pixels, and the least that there must be.
-const EXTENDED: f64 = 4.0;
+/// The least length on both sides that is extended, in pixels.
 const LEAST_EXTENDED: f64 = 1.5;
+
+/// Lengths on both sides of a bend, in pixels.
+struct Lengths {
+    /// From where the flank begins to where it need not be straight any more.
+    flank: f64,
+    /// Where stations are taken out.
+    clear: f64,
+    /// What is extended to where both sides meet.
+    extended: f64,
+}
+
+impl Lengths {
+    /// Where the outline may lie anywhere between two pixels, the steps of a straight side bend it for some pixels.
+    const BETWEEN_PIXELS: Self = Self { flank: 6.0, clear: 1.6, extended: 4.0 };
+
+    /// Where crossings are known, a corner changes levels no farther away than the next pixel, and sides of a few pixels are straight.
+    const AT_CROSSINGS: Self = Self { flank: 3.0, clear: 0.2, extended: 2.5 };
+
+    /// Those for an outline that may lie `room` pixels to both sides of where it is.
+    fn of(room: f64) -> Self {
+        if room < KNOWN { Self::AT_CROSSINGS } else { Self::BETWEEN_PIXELS }
+    }
+}
+
+/// The room, in pixels, below which all crossings are known.
+const KNOWN: f64 = 0.25;
 
 /// How far, in pixels, the corner may lie from what was taken out, times the sine of half the angle inside: the width of the gates for blunt
 /// corners, less for tips, which may as well be round.
@@ -106,6 +128,7 @@ pub(super) fn open(stations: &[Station], bends: &Bends) -> (Vec<Station>, Vec<Co
 /// The first and last station of each corner, counted from a start, with those taken out on both sides.
 fn spans(frame: &Frame, start: usize, room: f64) -> Vec<(usize, usize)> {
     let n = frame.turns.len();
+    let clear = Lengths::of(room).clear;
     let at = |k: usize| (start + k) % n;
     let is_sharp = |k: usize, sign: f64| sign * frame.curvature(at(k)) > SHARP;
     let mut spans: Vec<(usize, usize)> = Vec::new();
@@ -122,11 +145,11 @@ fn spans(frame: &Frame, start: usize, room: f64) -> Vec<(usize, usize)> {
         }
         if is_corner(frame, (from, k), room, at) {
             let (mut low, mut high, mut length) = (from, k, [0.0; 2]);
-            while low > 0 && length[0] < CLEAR {
+            while low > 0 && length[0] < clear {
                 low -= 1;
                 length[0] += frame.lengths[at(low)];
             }
-            while high + 1 < n && length[1] < CLEAR {
+            while high + 1 < n && length[1] < clear {
                 length[1] += frame.lengths[at(high)];
                 high += 1;
             }
@@ -152,9 +175,10 @@ fn is_corner(frame: &Frame, (from, to): (usize, usize), room: f64, at: impl Fn(u
     // by it. Less is allowed at tips, which may as well be round.
     let cosine = libm::cos((0.5 * turn.abs()).min(0.5 * PI));
     let radius = room * (1.0 + cosine) / (1.0 - cosine);
+    let until = FLANK + Lengths::of(room).flank;
     let flank = |end: usize, is_forward: bool| {
         let (mut k, mut length, mut turned) = (end, 0.0, 0.0);
-        while length < FLANK[1] {
+        while length < until {
             if is_forward {
                 length += frame.lengths[k];
                 k = (k + 1) % n;
@@ -162,7 +186,7 @@ fn is_corner(frame: &Frame, (from, to): (usize, usize), room: f64, at: impl Fn(u
                 k = (k + n - 1) % n;
                 length += frame.lengths[k];
             }
-            if length > FLANK[0] {
+            if length > FLANK {
                 turned += frame.turns[k];
             }
         }
@@ -190,13 +214,14 @@ pub(super) fn with_corners(stations: &[Station], corners: &[Corner], places: &[O
     points
 }
 
-/// Where the sides before and after a corner meet.
-pub(super) fn meeting(stations: &[Station], corner: &Corner) -> Option<Point> {
+/// Where the sides before and after a corner meet, for a curve that may lie `room` pixels to both sides of where it is.
+pub(super) fn meeting(stations: &[Station], corner: &Corner, room: f64) -> Option<Point> {
     let n = stations.len();
+    let extended = Lengths::of(room).extended;
     let (before, after) = (corner.after, (corner.after + 1) % n);
     let back = |from: usize, step: usize| {
         let (mut k, mut length) = (from, 0.0);
-        while length < EXTENDED && !stations[(k + step) % n].is_free {
+        while length < extended && !stations[(k + step) % n].is_free {
             let next = (k + step) % n;
             length += distance(stations[next].at, stations[k].at);
             k = next;

@@ -11,8 +11,8 @@ mod relax;
 mod tighten;
 mod varied;
 
-use crate::outline::distance;
-use crate::{Outline, Point, first_crossing};
+use crate::outline::{distance, dot};
+use crate::{Outline, Point, first_crossing, from_segment};
 use corners::{Bends, meeting, open, with_corners};
 use relax::{Cost, Station, relax, stations};
 use tighten::tightened;
@@ -46,7 +46,8 @@ const ATTEMPTS: usize = 6;
 /// length there, s where the point lies between the ends a and b of its gate. φ(κ) = c² ln(1 + κ²/c²) is κ² while κ is small and grows
 /// slowly beyond c = 0.15 for each pixel, so that corners stay. Where both sides of a sharp bend are straight, they are extended to where they meet,
 /// if they stay within the gates. A side between corners that has to bend takes the least Σ (κ′)² ℓ instead, with less of it where κ is large
-/// (`varied.rs`). Of that curve's straight parts the shortest one within a tenth of a pixel is taken, which does not swing before corners.
+/// (`varied.rs`). Of that curve's straight parts the shortest one within a tenth of a pixel is taken, which does not swing before corners. A
+/// curve that is nowhere farther inside its convex hull than half the longest gate becomes convex.
 ///
 /// # Accuracy
 /// Points are at most 0.6 pixels from the sides between the pixels, along the normal, 0.25 pixels from known crossings, but for corners: these lie where the sides meet, beyond
@@ -65,10 +66,31 @@ pub(crate) fn fair(
         relax(&mut stations, weight, cost);
     }
     if let Some(points) = cornered(&stations, room).filter(|points| is_simple(points)) {
-        return Some(some_simple(tightened(&points), points));
+        return Some(convex(some_simple(tightened(&points), points), room));
     }
     let smooth: Vec<Point> = varied(stations).iter().map(|station| station.at).collect();
-    is_simple(&smooth).then(|| some_simple(tightened(&smooth), smooth))
+    is_simple(&smooth).then(|| convex(some_simple(tightened(&smooth), smooth), room))
+}
+
+/// The convex hull of a curve that is nowhere farther from it than `room`, by which the curve may lie elsewhere; else the curve. Without that,
+/// swings of long sides beside arcs and blunt corners would tell convex shapes apart by chance.
+fn convex(points: Vec<Point>, room: f64) -> Vec<Point> {
+    let Ok(outline) = Outline::new(points) else { return Vec::new() };
+    let hull = outline.hull();
+    let points = outline.into_points();
+    // Both go counter-clockwise, and corners of the hull are points of the curve: the side beside a point only moves on.
+    let start = points.iter().position(|p| *p == hull[0]).unwrap_or(0);
+    let mut at = 0;
+    let is_convex = (0..points.len()).all(|k| {
+        let p = points[(start + k) % points.len()];
+        let next = (at + 1) % hull.len();
+        if p == hull[next] {
+            at = next;
+        }
+        let off = from_segment(p, [hull[at], hull[(at + 1) % hull.len()]]);
+        dot(off, off) <= room * room
+    });
+    if is_convex { hull } else { points }
 }
 
 /// The curve with corners where both sides of a bend meet within the gates; none where no bend is a corner. Bends that turn out to be none go
@@ -84,7 +106,8 @@ fn cornered(stations: &[Station], room: f64) -> Option<Vec<Point>> {
             relax(&mut opened, weight, Cost::Corners);
         }
         let opened = varied(opened);
-        let places: Vec<Option<Point>> = corners.iter().map(|corner| meeting(&opened, corner)).collect();
+        let places: Vec<Option<Point>> =
+            corners.iter().map(|corner| meeting(&opened, corner, room)).collect();
         let is_corner: Vec<bool> = places.iter().map(Option::is_some).collect();
         if attempt == ATTEMPTS || !is_corner.contains(&false) {
             return Some(with_corners(&opened, &corners, &places));

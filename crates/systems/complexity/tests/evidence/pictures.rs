@@ -121,6 +121,57 @@ fn bends_of_curves_are_not_taken_for_corners() {
     }
 }
 
+/// A rectangle whose corners are arcs.
+fn rounded([width, height]: Point, radius: f64) -> Outline {
+    let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
+    let at = |i: usize| {
+        let [x, y] = corners[i / 33];
+        let angle = TAU / 4.0 * ((i / 33) as f64 + (i % 33) as f64 / 32.0);
+        [x * (width - radius) + radius * angle.cos(), y * (height - radius) + radius * angle.sin()]
+    };
+    Outline::new((0..132).map(at).collect()).unwrap()
+}
+
+#[test]
+fn convex_shapes_do_not_differ_in_total_curvature() {
+    let shapes = [
+        ("square with round corners", rounded([1.0, 1.0], 0.3)),
+        ("square with small arcs", rounded([1.0, 1.0], 0.1)),
+        ("stadium", rounded([1.0, 0.25], 0.25)),
+        ("dodecagon", polar(12, |_| 1.0)),
+    ];
+    for (name, shape) in &shapes {
+        for (pixels, degrees) in [(256, 0.0), (256, 30.0), (256, 45.0), (400, 0.0)] {
+            for is_smooth in [false, true] {
+                let found = of(&drawn(shape, pixels, degrees, is_smooth)).curvature.total;
+                let place = format!("{name}, {pixels} pixels, {degrees}°, smooth {is_smooth}");
+                assert!((found - 1.0).abs() < 1e-9, "{place}: {found}");
+            }
+        }
+    }
+}
+
+#[test]
+fn anti_aliased_bars_and_teeth_keep_their_widths() {
+    // Teeth with tops of 9 pixels between dents of 13, and a bar 15 pixels wide whose sides cross few levels.
+    let gear = |i: usize| -> Point {
+        let (share, radius) = [(0.05, 0.8), (0.15, 1.0), (0.45, 1.0), (0.55, 0.8)][i % 4];
+        let angle = TAU * ((i / 4) as f64 + share) / 12.0;
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    let shapes = [
+        ("gear", Outline::new((0..48).map(gear).collect()).unwrap()),
+        ("bar", Outline::new(vec![[0.0, 0.0], [10.0, 0.0], [10.0, 1.0], [0.0, 1.0]]).unwrap()),
+    ];
+    for (name, shape) in &shapes {
+        let expected = of(shape).global.compactness;
+        for degrees in [0.0, 7.0, 22.5, 30.0, 45.0] {
+            let found = of(&drawn(shape, 128, degrees, true)).global.compactness;
+            assert!((found / expected - 1.0).abs() < 0.025, "{name}, {degrees}°: {found}, {expected}");
+        }
+    }
+}
+
 #[test]
 fn ranks_are_the_same_at_twice_the_size() {
     let mut shapes = Vec::new();
