@@ -5,6 +5,7 @@ use glam::DVec3;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 /// A neck: a loop around the surface that bounds no disc near it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,21 +23,58 @@ const SHORTEST: f64 = 2.0 * PI;
 /// Halvings when the length of a neck is measured.
 const HALVINGS: usize = 6;
 
+/// A ball in which necks are looked for holds some 80 vertices where edges are about equally long. Where one holds more than this many, the
+/// mean edge says nothing of how near to each other vertices are, as on turned parts with long thin faces.
+const MOST_IN_BALL: usize = 2048;
+
+/// What is found in balls around vertices.
+enum Found {
+    /// A neck that is shorter than those before.
+    Neck(Neck),
+    /// A ball with more than [`MOST_IN_BALL`] vertices.
+    Crowd,
+}
+
 /// The shortest neck found that is shorter than [`SHORTEST`] edges.
+pub(crate) fn neck(surface: &MovingSurface, mean_edge: f64) -> Option<Neck> {
+    let mut shortest = None;
+    look_for_necks(surface, mean_edge, |found| {
+        if let Found::Neck(neck) = found {
+            shortest = Some(neck);
+        }
+        ControlFlow::Continue(())
+    });
+    shortest
+}
+
+/// Whether a neck that forms would show: there is none shorter than [`SHORTEST`] edges yet, and edges are alike enough to measure it by.
+pub(crate) fn would_show(surface: &MovingSurface, mean_edge: f64) -> bool {
+    let mut is_clear = true;
+    look_for_necks(surface, mean_edge, |_| {
+        is_clear = false;
+        ControlFlow::Break(())
+    });
+    is_clear
+}
+
+/// Looks for necks shorter than [`SHORTEST`] edges until told to stop.
 ///
 /// A neck shows in a ball around one of its vertices, by edge lengths, that is no disc although it would be with the holes of the mesh
 /// filled. Balls around some vertices of the surface are tried first, so that every vertex is near one of them.
-pub(crate) fn neck(surface: &MovingSurface, mean_edge: f64) -> Option<Neck> {
+fn look_for_necks(surface: &MovingSurface, mean_edge: f64, mut give: impl FnMut(Found) -> ControlFlow<()>) {
     let half = 0.5 * SHORTEST * mean_edge;
     let mut balls = Balls::new(surface);
     let mut covered = vec![false; surface.positions().len()];
     let mut tried = covered.clone();
-    let mut found: Option<Neck> = None;
+    let mut least = half;
     for seed in 0..covered.len() as u32 {
         if covered[seed as usize] || !surface.mesh.has_faces(seed) {
             continue;
         }
         balls.grow(seed, 1.5 * half);
+        if balls.vertices.len() > MOST_IN_BALL && give(Found::Crowd).is_break() {
+            return;
+        }
         for &v in &balls.vertices {
             covered[v as usize] |= balls.found[v as usize].1 <= 0.5 * half;
         }
@@ -47,14 +85,14 @@ pub(crate) fn neck(surface: &MovingSurface, mean_edge: f64) -> Option<Neck> {
         around.sort_unstable();
         around.retain(|&v| !std::mem::replace(&mut tried[v as usize], true));
         for v in around {
-            let least = found.map_or(half, |neck| 0.5 * neck.length);
-            if let Some(radius) = balls.radius_of_neck(v, least) {
-                let position = surface.positions()[v as usize].to_array();
-                found = Some(Neck { position, length: 2.0 * radius });
+            let Some(radius) = balls.radius_of_neck(v, least) else { continue };
+            let position = surface.positions()[v as usize].to_array();
+            least = radius;
+            if give(Found::Neck(Neck { position, length: 2.0 * radius })).is_break() {
+                return;
             }
         }
     }
-    found
 }
 
 struct Balls<'s> {

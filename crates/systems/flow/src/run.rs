@@ -7,7 +7,7 @@ use super::gradient::Derivatives;
 use super::moving::{Motion, MovingSurface, mean_edge};
 use super::observer::FlowStep;
 use super::options::{BoundaryCondition, FlowOptions, Until};
-use super::pinch::{Neck, neck};
+use super::pinch::{Neck, neck, would_show};
 use super::report::{Change, Flow, FlowRecord, FlowStop, FlowTiming, StepReason};
 use super::scheme::Scheme;
 use super::step::{FirstMetric, FullSystem};
@@ -102,7 +102,7 @@ struct Runner<'r> {
     time_step: TimeStep,
     history: Vec<FlowRecord>,
     cone: Option<Cone>,
-    /// Whether necks are looked for: not if the scheme has none, or the mesh was too coarse for that at the start.
+    /// Whether necks are looked for: not if the scheme has none, or the mesh was too coarse or too uneven for that at the start.
     watch_necks: bool,
     /// How far vertices may have moved since then.
     way: f64,
@@ -154,7 +154,7 @@ impl<'r> Runner<'r> {
         };
         let scheme = options.scheme();
         // With the stiffness of the first surface triangles stay alike, and necks do not pinch.
-        let watch_necks = !scheme.keeps_first_metric() && neck(&surface, mean_edge(&triangles)).is_none();
+        let watch_necks = !scheme.keeps_first_metric() && would_show(&surface, mean_edge(&triangles));
         Ok(Self {
             input: mesh,
             options,
