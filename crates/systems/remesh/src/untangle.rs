@@ -13,6 +13,7 @@ use pompeiu_core::geom::Aabb;
 use pompeiu_core::spatial::bvh::Slot;
 use pompeiu_core::spatial::{faces_intersect, self_intersections};
 use pompeiu_core::{MeshError, TriMesh};
+use std::collections::BTreeMap;
 
 /// Rounds over the pairs that are left; in the first ones no angle becomes less than this one, in degrees, that was not before.
 const ROUNDS: usize = 6;
@@ -35,6 +36,23 @@ struct Faces {
     near: Vec<u32>,
     /// The sine of the least angle that a change may make, unless it was less before.
     least: f64,
+    known: Known,
+}
+
+/// What was changed, and where nothing could be.
+#[derive(Default)]
+struct Known {
+    /// Boxes of the faces around each change, before and after it.
+    changes: Vec<Aabb>,
+    /// Faces at which no change left fewer pairs, with the number of changes before.
+    failed: BTreeMap<u32, usize>,
+}
+
+impl Known {
+    /// Whether nothing was found at a face, and nothing has changed since within a box around all that was tried there.
+    fn fails(&self, f: u32, around: &Aabb) -> bool {
+        self.failed.get(&f).is_some_and(|&before| !self.changes[before..].iter().any(|x| x.meets(around)))
+    }
 }
 
 impl Faces {
@@ -48,7 +66,9 @@ impl Local<'_> {
     /// Lowers the number of pairs of faces that intersect.
     pub(super) fn untangle(&mut self) -> Result<(), MeshError> {
         let careful = libm::sin(LEAST_ANGLE.to_radians());
-        for round in 0..ROUNDS {
+        let mut known = Known::default();
+        let mut round = 0;
+        while round < ROUNDS {
             let mesh = &self.surface.mesh;
             let alive: Vec<u32> = (0..mesh.halfedge_slots() / 3).filter(|&f| mesh.exists(3 * f)).collect();
             let positions = mesh.positions.iter().map(DVec3::to_array).collect();
@@ -57,15 +77,24 @@ impl Local<'_> {
             if found.pairs.is_empty() || !found.complete {
                 break;
             }
+            if round == CAREFUL {
+                // More is allowed now.
+                known.failed.clear();
+            }
             let least = if round < CAREFUL { careful } else { 0.0 };
-            let mut faces = Faces { tree: FaceTree::build(mesh), stack: Vec::new(), near: Vec::new(), least };
+            let tree = FaceTree::build(mesh);
+            let mut faces = Faces { tree, stack: Vec::new(), near: Vec::new(), least, known };
             let mut done = false;
             for pair in found.pairs {
                 done |= pair.faces.into_iter().any(|f| self.untangle_at(alive[f.index()], &mut faces));
             }
-            if !done && round >= CAREFUL {
-                break;
-            }
+            known = faces.known;
+            round = match round {
+                // The other careful rounds would find the same.
+                ..CAREFUL if !done => CAREFUL,
+                _ if !done => break,
+                _ => round + 1,
+            };
         }
         Ok(())
     }
@@ -74,10 +103,35 @@ impl Local<'_> {
         if !self.surface.mesh.exists(3 * f) {
             return false;
         }
+        let around = self.reach(f);
+        if faces.known.fails(f, &around) {
+            return false;
+        }
         let sides = [3 * f, 3 * f + 1, 3 * f + 2];
-        sides.into_iter().any(|h| self.move_apart(self.surface.mesh.from(h), faces))
+        let is_done = sides.into_iter().any(|h| self.move_apart(self.surface.mesh.from(h), faces))
             || sides.into_iter().any(|h| self.flip_apart(h, faces))
-            || sides.into_iter().any(|h| self.collapse_apart(h, faces))
+            || sides.into_iter().any(|h| self.collapse_apart(h, faces));
+        if !is_done {
+            faces.known.failed.insert(f, faces.known.changes.len());
+        }
+        is_done
+    }
+
+    /// A box around all that the changes at a face depend on: a vertex is tried within a step of where it is, or of the point of the
+    /// input that is nearest to there, at most a target length away.
+    fn reach(&self, f: u32) -> Aabb {
+        let mesh = &self.surface.mesh;
+        let mut all = Aabb::EMPTY;
+        for v in mesh.corners(f) {
+            let fan = mesh.halfedges_from(v).flat_map(|h| self.surface.triangle(h / 3));
+            let Aabb { lower, upper } = fan.fold(Aabb::EMPTY, |mut aabb, p| {
+                aabb.add(p.to_array());
+                aabb
+            });
+            let by = (1.0 + STEP) * self.surface.length[v as usize];
+            all = all.union(Aabb { lower: lower.map(|x| x - by), upper: upper.map(|x| x + by) });
+        }
+        all
     }
 
     fn move_apart(&mut self, v: u32, faces: &mut Faces) -> bool {
@@ -103,7 +157,7 @@ impl Local<'_> {
         };
         self.surface.mesh.positions[v as usize] = position;
         self.surface.near[v as usize] = near;
-        self.grow(&own, faces);
+        self.grow(&own, &fan.faces, faces);
         true
     }
 
@@ -118,7 +172,7 @@ impl Local<'_> {
         if self.crossings(&own, &new, faces) >= self.crossings(&own, &old, faces) || !self.surface.flip(h) {
             return false;
         }
-        self.grow(&own, faces);
+        self.grow(&own, &old, faces);
         true
     }
 
@@ -137,7 +191,7 @@ impl Local<'_> {
                 && self.crossings(&edge.star.gone, &new, faces) < before
             {
                 let is_done = self.surface.collapse(&Collapse { position, ..edge.way }).is_some();
-                self.grow(&edge.star.kept, faces);
+                self.grow(&edge.star.kept, &edge.old, faces);
                 return is_done;
             }
         }
@@ -164,9 +218,14 @@ impl Local<'_> {
         count
     }
 
-    fn grow(&self, own: &[u32], faces: &mut Faces) {
+    /// Takes note of a change: the faces that it made, and where those before were.
+    fn grow(&self, own: &[u32], old: &[Triangle], faces: &mut Faces) {
+        let mut all = Aabb::of_points(&old.iter().flatten().map(DVec3::to_array).collect::<Vec<_>>());
         for &f in own {
-            faces.tree.grow(f, Aabb::of_points(&self.surface.triangle(f).map(|p| p.to_array())));
+            let aabb = Aabb::of_points(&self.surface.triangle(f).map(|p| p.to_array()));
+            faces.tree.grow(f, aabb);
+            all = all.union(aabb);
         }
+        faces.known.changes.push(all);
     }
 }

@@ -20,6 +20,12 @@ use pompeiu_core::request::values::{fraction, magnitude};
 const FAR_IN_EDGES: f64 = 0.5;
 const FAR_IN_VOLUME: f64 = 0.1;
 
+/// Triangles are said to be uneven where a smaller share of edges is near its target length, or an angle is below the first of these, in
+/// degrees, or the mean of the least angles of faces below the second; that of equilateral faces is 60.
+const ENOUGH_NEAR_TARGET: f64 = 0.5;
+const TINY_ANGLE: f64 = 1.0;
+const SMALL_MEAN_ANGLE: f64 = 20.0;
+
 /// Where no length is asked for, edges are as long as those of the mesh in the mean, but at most this many times as long as those of as many
 /// equilateral faces with its area. This shortens them where faces are long and thin only: of scans and models measured, the mean is 1 to 1.2
 /// times as long.
@@ -125,6 +131,10 @@ pub struct RemeshReport {
     /// Whether the result is far from the input though no distance was asked for: by more than half of the length of edges, or the
     /// chord height, or by a tenth of the volume. Something there is narrower than edges are long.
     pub is_far: bool,
+    /// Whether triangles are not as asked for: fewer than half of the edges are between 4/5 and 4/3 of their target length, an angle is
+    /// below 1°, or the mean of the least angles of faces below 20°. So it is where edges of the input stay, for a distance, or because sheets would intersect that are nearer to each other
+    /// than edges are long. Never of a run that ended early.
+    pub is_uneven: bool,
     /// The effect on the input of rounding to the coordinates of the output.
     pub rounding: Rounding,
     /// The number of pairs of faces of the result that intersect; null where they were not sought.
@@ -213,6 +223,7 @@ impl RemeshRequest {
             volume_share: found.volume_share,
             is_far: within.is_none()
                 && is_far(&found, edge_length.map(|length| FAR_IN_EDGES * length).or(chord_height)),
+            is_uneven: found.is_uneven(),
             rounding: found.rounding,
             intersections: found.intersections,
             certificate: None,
@@ -242,6 +253,14 @@ fn usual_length(mesh: &TriMesh) -> Result<f64, RemeshError> {
     } else {
         mean
     })
+}
+
+impl Remeshed {
+    fn is_uneven(&self) -> bool {
+        let few = self.after.near_target.is_some_and(|share| share < ENOUGH_NEAR_TARGET);
+        let angle = self.after.least_angle;
+        !self.stop.is_early() && (few || angle.least < TINY_ANGLE || angle.mean < SMALL_MEAN_ANGLE)
+    }
 }
 
 /// Whether a result is farther from the input than a length, or encloses another volume.
@@ -289,6 +308,20 @@ mod tests {
         );
         let found = usual_length(&strip.expect("a mesh")).expect("a length");
         assert!((found - 0.01).abs() < 1e-12, "{found}");
+    }
+
+    #[test]
+    fn triangles_that_are_not_as_asked_for_are_said() {
+        let report = |mesh: &TriMesh, request: RemeshRequest| {
+            request.run(mesh, &RunContext::default()).expect("a mesh").report
+        };
+        let asked = RemeshRequest { relative: Some(0.1), ..RemeshRequest::default() };
+        assert!(!report(&icosphere(1.0, 3).expect("a sphere"), asked.clone()).is_uneven);
+        // Within a small distance the long edges of a fine rod stay.
+        let rod = cylinder(1.0, 3.0, 200, 1, Ends::Capped).expect("a rod");
+        let within = RemeshRequest { within: Length::new(1e-5).ok(), ..asked };
+        let found = report(&rod, within);
+        assert!(found.is_uneven, "{found:?}");
     }
 
     #[test]

@@ -80,6 +80,9 @@ impl System for Files {
         if answer.report.is_far {
             printer.warning(text::far(&answer.report, request.features.is_some()));
         }
+        if answer.report.is_uneven {
+            printer.warning(text::uneven(&answer.report));
+        }
         let attributes = carried.attributes(&found.mesh, &found.kept)?;
         files::write_shifted(&self.output, &found.mesh, &attributes, &found.rounding, printer)?;
         let mut proof = None;

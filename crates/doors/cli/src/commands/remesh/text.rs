@@ -35,6 +35,27 @@ pub(super) fn far(found: &RemeshReport, keeps_creases: bool) -> String {
     )
 }
 
+/// That triangles are not as asked for, and what can be done.
+pub(super) fn uneven(found: &RemeshReport) -> String {
+    let mut facts = Vec::new();
+    if let Some(share) = found.after.near_target {
+        facts.push(format!("{:.0} % of the edges are between 4/5 and 4/3 of their target", 100.0 * share));
+    }
+    let angle = found.after.least_angle;
+    facts.push(format!("the least angle is {:.2}° ({:.1}° in the mean of faces)", angle.least, angle.mean));
+    let cure = match (found.within, found.intersections) {
+        (Some(_), _) => {
+            "edges of the input stay where the distance asks for it; ask for a greater distance, or for shorter edges"
+        }
+        (None, Some(_)) => {
+            "edges of the input stay where sheets are nearer to each other than edges are long; ask for shorter edges, or let faces intersect \
+             (--intersections report)"
+        }
+        (None, None) => "ask for shorter edges",
+    };
+    format!("the triangles are uneven: {}; {cure}", facts.join(", "))
+}
+
 /// A row for each quantity, before and after, and the distance.
 pub(super) fn text(certificate: Option<&Path>, answer: &AnswerOf<Files>) -> String {
     let mut text = String::new();
