@@ -2,6 +2,7 @@
 
 use crate::chart::{Chart, flatten_component};
 use crate::components::{Component, in_whole};
+use crate::creases::seams_along_creases;
 use crate::cut::first_cut;
 use crate::distortion::Distortion;
 use crate::divide::divide;
@@ -9,7 +10,7 @@ use crate::opened::disks;
 use crate::seams::ShortSeams;
 use crate::watch::Watch;
 use crate::{Charts, FlattenError, FlattenOptions};
-use pompeiu_surface::{EdgeData, EmbeddedSurface};
+use pompeiu_surface::{EdgeData, EmbeddedSurface, Surface};
 use rayon::prelude::*;
 
 /// Charts at most where their number is free.
@@ -26,6 +27,16 @@ const SMALL_STEPS: usize = 4;
 /// The estimate has failed where a map exceeds the energy of an isometry by more than this many times what was estimated; where it is of
 /// use, the map exceeds it by less than the estimate. More seams chosen by it would be mapped in vain.
 const MISJUDGED: f64 = 4.0;
+
+/// Times that seams along creases are closed, and the share of the distortion asked for that is estimated for the first of these: outlines
+/// that would overlap are pushed apart, which no estimate tells.
+const CLOSINGS: usize = 3;
+const CLOSED_TO: f64 = 0.7;
+
+/// Seams along creases are taken at once where they are no longer than this many times a cut that only makes a disk; and in place of parts
+/// that are divided one after the other where there are more faces than these, for that takes long.
+const SHORT: f64 = 1.25;
+const FEW_FACES: usize = 2_000;
 
 /// A part of the surface with its map.
 struct Piece {
@@ -55,7 +66,48 @@ pub(crate) struct Atlas {
     pub(crate) seams: EdgeData<bool>,
     pub(crate) parts: Vec<Component>,
     pub(crate) charts: Vec<Chart>,
+    /// Whether the seams are those along creases, and not short for what else could be.
+    is_of_creases: bool,
 }
+
+impl Atlas {
+    /// Whether nothing else is tried on a surface of so many faces.
+    pub(crate) fn is_taken(&self, faces: usize) -> bool {
+        !self.is_of_creases || faces > FEW_FACES
+    }
+
+    /// Whether its seams are shorter than those of other charts, or these distort more than is asked for.
+    pub(crate) fn is_better(
+        &self,
+        surface: &Surface,
+        parts: &[Component],
+        charts: &[Chart],
+        cut: &EdgeData<bool>,
+        options: &FlattenOptions<'_>,
+    ) -> bool {
+        let pieces: Vec<Piece> =
+            parts.iter().zip(charts).map(|(part, chart)| Piece::new(part.clone(), chart.clone())).collect();
+        length(surface, &self.seams) < length(surface, cut) || !is_enough(&pieces, options)
+    }
+}
+
+/// The length of marked edges.
+fn length(surface: &Surface, seams: &EdgeData<bool>) -> f64 {
+    seams.entries().filter(|(_, is_seam)| **is_seam).map(|(edge, _)| surface.edge_length(edge)).sum()
+}
+
+/// A surface with its charts while seams are looked for.
+struct Seamed<'s, 'o, 'w> {
+    surface: &'s EmbeddedSurface,
+    /// No more cuts are added to a chart.
+    options: FlattenOptions<'o>,
+    watch: &'s Watch<'w>,
+    /// The mean energy beyond that of an isometry that is asked for.
+    allowed: f64,
+}
+
+/// Seams with the charts between them.
+type Found = (EdgeData<bool>, Vec<Piece>);
 
 /// The charts between seams that are as short as possible for the distortion asked for; none where charts are not divided freely, or the
 /// distortion is not reached with few maps.
@@ -67,62 +119,119 @@ pub(crate) fn with_short_seams(
 ) -> Result<Option<Atlas>, FlattenError> {
     let (Charts::Auto, Some(enough)) = (options.charts, options.enough()) else { return Ok(None) };
     let whole = surface.surface();
-    if whole.mesh().faces() > MOST_FACES {
-        return Ok(None);
-    }
     let mut seams = EdgeData::filled(whole.mesh().edges(), false);
     for part in parts {
         let first = first_cut(part, &part.options(&options.cut)).map_err(|error| in_whole(error, part))?;
         part.mark_in(whole.mesh(), &first, &mut seams);
     }
-    let options = &FlattenOptions { most_cuts: 0, ..options.clone() };
-    let allowed = enough - 4.0;
-    let mut growing = ShortSeams::new(whole, &seams)?;
-    let mapped = |seams: &EdgeData<bool>| -> Result<Vec<Piece>, FlattenError> {
+    let options = FlattenOptions { most_cuts: 0, ..options.clone() };
+    let seamed = Seamed { surface, options, watch, allowed: enough - 4.0 };
+    let creased = seamed.along_creases()?;
+    let of_creases = creased.as_ref().map(|(seams, _)| length(whole, seams));
+    let is_short = of_creases.is_some_and(|of_creases| of_creases <= SHORT * length(whole, &seams));
+    let grown = if is_short || whole.mesh().faces() > MOST_FACES {
+        None
+    } else {
+        seamed.grown(seams, of_creases.unwrap_or(f64::INFINITY))?
+    };
+    let grown = grown.filter(|(grown, _)| of_creases.is_none_or(|longest| length(whole, grown) < longest));
+    let is_of_creases = grown.is_none() && !is_short;
+    Ok(grown.or(creased).map(|(seams, mut pieces)| {
+        pieces.sort_by_key(|piece| piece.part.faces.first().copied());
+        let (parts, charts) = pieces.into_iter().map(|piece| (piece.part, piece.chart)).unzip();
+        Atlas { seams, parts, charts, is_of_creases }
+    }))
+}
+
+impl Seamed<'_, '_, '_> {
+    /// The charts between seams.
+    fn mapped(&self, seams: &EdgeData<bool>) -> Result<Vec<Piece>, FlattenError> {
         let one = |part: Component| {
             let nothing_more = EdgeData::filled(part.surface.mesh().edges(), false);
-            let chart = flatten_component(&part, Some(nothing_more), options, watch)?;
+            let chart = flatten_component(&part, Some(nothing_more), &self.options, self.watch)?;
             Ok(Piece::new(part, chart))
         };
-        disks(surface, seams)?.into_par_iter().map(one).collect()
-    };
-    // Seams with which the distortion is still too great, and its excess.
-    let mut before: Option<(EdgeData<bool>, f64)> = None;
-    let mut best: Option<(EdgeData<bool>, Vec<Piece>)> = None;
-    let mut next = Some(seams);
-    for attempt in 0..ATTEMPTS {
-        let Some(seams) = next else { break };
-        let pieces = mapped(&seams)?;
-        let reached = mean_excess(&pieces);
-        if reached <= allowed || watch.is_stopped() {
-            best = Some((seams, pieces));
-            break;
-        }
-        // The outline of a first cut may be in its own way, which the estimate does not tell.
-        if attempt > 0 && reached > MISJUDGED * growing.estimate() {
-            break;
-        }
-        let aim = if attempt < SMALL_STEPS { f64::INFINITY } else { growing.estimate() * allowed / reached };
-        before = Some((seams, reached));
-        next = growing.grow(allowed, aim, watch)?;
+        disks(self.surface, seams)?.into_par_iter().map(one).collect()
     }
-    // The last seam may be longer than is needed.
-    if let (Some((seams, reached)), Some((found, _))) = (&before, &best)
-        && !watch.is_stopped()
-    {
-        for seams in growing.completed(seams, *reached, allowed, growing.length(found), watch)? {
-            let pieces = mapped(&seams)?;
-            if mean_excess(&pieces) <= allowed {
+
+    /// The same; none where one of the charts has faces that are too crowded on a circle.
+    fn mapped_if_possible(&self, seams: &EdgeData<bool>) -> Result<Option<Vec<Piece>>, FlattenError> {
+        match self.mapped(seams) {
+            Ok(pieces) => Ok(Some(pieces)),
+            Err(FlattenError::Crowded { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Seams along creases, those closed that are worth least; none if the distortion is too great with all of them.
+    fn along_creases(&self) -> Result<Option<Found>, FlattenError> {
+        let whole = self.surface.surface();
+        let Some(seams) = seams_along_creases(self.surface, &self.options.cut)? else { return Ok(None) };
+        let Some(pieces) = self.mapped_if_possible(&seams)? else { return Ok(None) };
+        if mean_excess(&pieces) > self.allowed {
+            return Ok(None);
+        }
+        let all = Some((seams, pieces));
+        let mut aim = CLOSED_TO * self.allowed;
+        for _ in 0..CLOSINGS {
+            if self.watch.is_stopped() {
+                break;
+            }
+            let Some((seams, _)) = &all else { break };
+            let mut closing = ShortSeams::new(whole, seams)?;
+            let seams = closing.shrink(aim, self.watch)?;
+            aim *= 0.5;
+            let Some(pieces) = self.mapped_if_possible(&seams)? else { continue };
+            let reached = mean_excess(&pieces);
+            if reached <= self.allowed {
+                return Ok(Some((seams, pieces)));
+            }
+            let as_found = 0.5 * closing.estimate() * self.allowed / reached;
+            aim = if as_found < aim { as_found } else { aim };
+        }
+        Ok(all)
+    }
+
+    /// Seams that grow from given ones until the distortion is reached; none if it is not with few maps, or seams become longer than
+    /// `longest`.
+    fn grown(&self, seams: EdgeData<bool>, longest: f64) -> Result<Option<Found>, FlattenError> {
+        let (allowed, watch) = (self.allowed, self.watch);
+        let mut growing = ShortSeams::new(self.surface.surface(), &seams)?;
+        // Seams with which the distortion is still too great, and its excess.
+        let mut before: Option<(EdgeData<bool>, f64)> = None;
+        let mut best: Option<Found> = None;
+        let mut next = Some(seams);
+        for attempt in 0..ATTEMPTS {
+            let Some(seams) = next.filter(|seams| growing.length(seams) < longest) else { break };
+            let pieces = self.mapped(&seams)?;
+            let reached = mean_excess(&pieces);
+            if reached <= allowed || watch.is_stopped() {
                 best = Some((seams, pieces));
                 break;
             }
+            // The outline of a first cut may be in its own way, which the estimate does not tell.
+            if attempt > 0 && reached > MISJUDGED * growing.estimate() {
+                break;
+            }
+            let aim =
+                if attempt < SMALL_STEPS { f64::INFINITY } else { growing.estimate() * allowed / reached };
+            before = Some((seams, reached));
+            next = growing.grow(allowed, aim, watch)?;
         }
+        // The last seam may be longer than is needed.
+        if let (Some((seams, reached)), Some((found, _))) = (&before, &best)
+            && !watch.is_stopped()
+        {
+            for seams in growing.completed(seams, *reached, allowed, growing.length(found), watch)? {
+                let pieces = self.mapped(&seams)?;
+                if mean_excess(&pieces) <= allowed {
+                    best = Some((seams, pieces));
+                    break;
+                }
+            }
+        }
+        Ok(best)
     }
-    Ok(best.map(|(seams, mut pieces)| {
-        pieces.sort_by_key(|piece| piece.part.faces.first().copied());
-        let (parts, charts) = pieces.into_iter().map(|piece| (piece.part, piece.chart)).unzip();
-        Atlas { seams, parts, charts }
-    }))
 }
 
 /// Divides the part that adds most to the distortion, again and again, until there are as many as asked for or the distortion is low enough.

@@ -172,7 +172,7 @@ impl Search<'_, '_, '_> {
             };
             let mut found = None;
             if most_cuts > 0 && descender.is_simple(&uv) {
-                found = Some(self.descend(&descender, uv, &fine)?).filter(|(_, uv)| descender.is_simple(uv));
+                found = Some(self.descend(&descender, uv, &fine)?).filter(|(_, uv)| descender.is_clear(uv));
             }
             let found = if let Some(found) = found {
                 found

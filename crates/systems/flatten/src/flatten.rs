@@ -123,26 +123,30 @@ fn run(
     };
     // Where no short seams are found, parts are divided one after the other.
     let short = unless_out_of_memory(with_short_seams(surface, &parts, options, &watch))?;
-    let (parts, charts) = if let Some(found) = short {
-        requested = Some(found.seams);
-        (found.parts, found.charts)
-    } else {
-        let charts: Vec<Chart> = parts.par_iter().map(one).collect::<Result<_, _>>()?;
-        divided(parts, charts, options, &watch)?
+    let (parts, charts) = match short {
+        Some(found) if found.is_taken(mesh.faces()) => {
+            requested = Some(found.seams);
+            (found.parts, found.charts)
+        }
+        found => {
+            let charts: Vec<Chart> = parts.par_iter().map(one).collect::<Result<_, _>>()?;
+            let (parts, charts) = divided(parts, charts, options, &watch)?;
+            let of_divided = requested.is_none().then(|| cut_of(mesh, &parts, &charts));
+            match found.zip(of_divided) {
+                Some((found, cut)) if found.is_better(surface.surface(), &parts, &charts, &cut, options) => {
+                    requested = Some(found.seams);
+                    (found.parts, found.charts)
+                }
+                _ => (parts, charts),
+            }
+        }
     };
     let mut timing = Timing::default();
     for chart in &charts {
         timing.add(&chart.timing);
     }
     let start = Instant::now();
-    let cut = requested.unwrap_or_else(|| {
-        let mut cut = EdgeData::filled(mesh.edges(), false);
-        for (part, chart) in parts.iter().zip(&charts) {
-            part.mark_in(mesh, &chart.cut, &mut cut);
-        }
-        mark_seams(mesh, &parts, &mut cut);
-        cut
-    });
+    let cut = requested.unwrap_or_else(|| cut_of(mesh, &parts, &charts));
     let opened = open(mesh, &cut)?;
     timing.cut += start.elapsed();
     let mut places = arrange(&parts, &charts, options);
@@ -195,6 +199,16 @@ fn misses_target(options: &FlattenOptions<'_>, charts: &[Chart], report: &Flatte
         }
         _ => charts.iter().any(|chart| chart.misses_target),
     }
+}
+
+/// The edges that charts are cut along, and those between them.
+fn cut_of(mesh: &SurfaceMesh, parts: &[Component], charts: &[Chart]) -> EdgeData<bool> {
+    let mut cut = EdgeData::filled(mesh.edges(), false);
+    for (part, chart) in parts.iter().zip(charts) {
+        part.mark_in(mesh, &chart.cut, &mut cut);
+    }
+    mark_seams(mesh, parts, &mut cut);
+    cut
 }
 
 /// Marks the edges between different parts.

@@ -37,6 +37,7 @@ mod charts;
 mod check;
 mod chords;
 mod components;
+mod creases;
 mod cut;
 mod distortion;
 mod divide;

@@ -55,6 +55,9 @@ const SCAFFOLD: f64 = 0.05 / 4.0;
 /// Relative decrease of the energy that rounding hides.
 const HIDDEN: f64 = 1e-13;
 
+/// Positions are rounded to this part of the greatest coordinate to see whether an outline is clear of itself.
+const CLEARANCE: f64 = 1.0 / (1_u64 << 36) as f64;
+
 /// Regularisation of a Hessian's diagonal, relative to its mean: rigid motions do not change the energy.
 const PROXIMAL: f64 = 1e-10;
 
@@ -137,6 +140,20 @@ impl Descender {
         outline_crossings(&self.outline, x).is_empty()
     }
 
+    /// Whether the outline stays simple when positions are rounded, as they are when the chart is turned and packed.
+    ///
+    /// Both sides of a cut through a flat part come ever closer to each other.
+    pub(crate) fn is_clear(&self, x: &[Vec2]) -> bool {
+        let greatest =
+            x.iter().flatten().fold(0.0, |most: f64, c| if c.abs() > most { c.abs() } else { most });
+        let unit = CLEARANCE * greatest;
+        if !self.is_simple(x) || unit == 0.0 {
+            return false;
+        }
+        let rounded: Vec<Vec2> = x.iter().map(|p| p.map(|c| (c / unit).round() * unit)).collect();
+        self.is_simple(&rounded)
+    }
+
     /// Minimises the symmetric Dirichlet energy from a map without flips, by projected Newton steps that never flip a face. If the
     /// outline is guarded, it must be simple at the start; as soon as a step would make it cross itself, the minimisation continues
     /// with a scaffold around the disk.
@@ -154,6 +171,8 @@ impl Descender {
         watch: &Watch<'_>,
     ) -> Result<Minimization, FlattenError> {
         let mut has_scaffold = false;
+        // An outline that is never clear of itself is to be simple at least.
+        let starts_clear = descent.is_guarded && self.is_clear(&start);
         let mut guard: Option<(Scaffold, System, usize)> = None;
         let mut x = start;
         let mut energy = self.faces.value(&x);
@@ -200,7 +219,9 @@ impl Descender {
                 let after = total(&candidate);
                 let is_hidden = decrease <= HIDDEN * before && after <= before * (1.0 + HIDDEN);
                 if after <= before - ARMIJO * t * decrease || is_hidden {
-                    if !descent.is_guarded || self.is_simple(&candidate[..self.vertices]) {
+                    let flat = &candidate[..self.vertices];
+                    let is_apart = |x| if starts_clear { self.is_clear(x) } else { self.is_simple(x) };
+                    if !descent.is_guarded || is_apart(flat) {
                         found = Some(candidate);
                         break;
                     }

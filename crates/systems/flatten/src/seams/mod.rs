@@ -8,6 +8,7 @@ mod layout;
 mod potential;
 mod routes;
 mod search;
+mod shrink;
 
 use crate::watch::Watch;
 use layout::Layout;
@@ -53,6 +54,13 @@ impl<'s> ShortSeams<'s> {
             search::close(&mut self.layout, self.price, &mut self.known, watch)?;
             return Ok(Some(self.layout.seams.clone()));
         }
+    }
+
+    /// Closes the seams that are worth least, while the mean energy is estimated to exceed that of an isometry by no more than `estimate`.
+    pub(crate) fn shrink(&mut self, estimate: f64, watch: &Watch<'_>) -> Result<EdgeData<bool>, SolveError> {
+        let most = estimate * self.layout.surface.area();
+        shrink::shrink(&mut self.layout, most, watch)?;
+        Ok(self.layout.seams.clone())
     }
 
     /// The mean energy beyond that of an isometry, as it is estimated for the seams given back last.

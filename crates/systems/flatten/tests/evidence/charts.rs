@@ -198,3 +198,25 @@ fn small_surfaces_get_the_cuts_that_they_need() {
     assert!(found.is_one_to_one());
     assert_eq!([10_000, 40_000, 86_482].map(FlattenOptions::most_cuts_of), [32, 12, 6]);
 }
+
+/// The map of a flat part that was cut may be an isometry, with both sides of the cut at the same place.
+#[test]
+fn both_sides_of_a_cut_through_a_flat_part_stay_apart() {
+    let (mut positions, mut faces) = (Vec::new(), Vec::new());
+    for (ring, segments) in (12..36).enumerate() {
+        let first = positions.len() as u32;
+        for k in 0..segments {
+            let angle = f64::from(k) * std::f64::consts::TAU / f64::from(segments);
+            for radius in [0.5, 1.0] {
+                positions.push([3.0 * ring as f64 + radius * angle.cos(), radius * angle.sin(), 0.0]);
+            }
+        }
+        for k in 0..segments {
+            let [a, b] = [k, (k + 1) % segments].map(|k| first + 2 * k);
+            faces.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
+        }
+    }
+    let flat = flatten(&surface(&TriMesh::new(positions, faces).unwrap()), &auto(4.01)).unwrap();
+    check(&flat);
+    assert_eq!(flat.report.charts, 24);
+}
