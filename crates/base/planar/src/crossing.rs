@@ -19,7 +19,11 @@ pub struct Crossing {
 /// Sides are sorted by their least abscissa and compared while their boxes overlap: n log n for outlines without long sides, n² at
 /// worst.
 pub fn first_crossing(outline: &Outline) -> Option<Crossing> {
-    let points = outline.points();
+    first_crossing_of(outline.points())
+}
+
+/// As [`first_crossing`], of a closed polygon that may have no area.
+pub(crate) fn first_crossing_of(points: &[Point]) -> Option<Crossing> {
     let n = points.len();
     let side = |i: usize| [points[i], points[(i + 1) % n]];
     let spans: Vec<[f64; 4]> = (0..n)

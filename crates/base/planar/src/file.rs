@@ -1,10 +1,12 @@
 //! Outlines from a file: a picture, a drawing, or a list of points.
 
+use crate::crossing::first_crossing_of;
 use crate::dxf::{self, DxfError};
+use crate::outline::signed_area;
 use crate::picture::{Picture, PictureError, PictureFormat};
-use crate::silhouette::{SilhouetteError, SilhouetteOptions, silhouette};
+use crate::silhouette::{SilhouetteError, SilhouetteOptions, silhouette_and_rest};
 use crate::svg::{self, Missing, Polyline, SvgError};
-use crate::{FillRule, Outline, OutlineError, Point, Region, regions};
+use crate::{FillRule, Outline, OutlineError, Point, Region, Turn, orientation, regions};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -32,10 +34,10 @@ pub enum FileError {
     /// The SVG drawing cannot be read.
     #[error(transparent)]
     Svg(#[from] SvgError),
-    /// A `use` of what is not in the drawing.
+    /// What is not in the curves of a drawing.
     #[error(transparent)]
     Missing(#[from] Missing),
-    /// A drawing of nothing but `use` of what is not in it.
+    /// A drawing of nothing but what has no curves.
     #[error("there is no curve in the drawing: {0}")]
     OnlyMissing(Missing),
     /// The DXF drawing cannot be read.
@@ -44,6 +46,17 @@ pub enum FileError {
     /// A curve is no valid outline.
     #[error(transparent)]
     Outline(#[from] OutlineError),
+    /// A curve crosses itself, and the parts on both sides of the crossing cancel each other.
+    #[error(
+        "a curve crosses itself: side {} meets side {} near ({}, {}), so that the areas of its parts cancel each other; move its corners apart \
+         there, or draw the parts one by one", sides[0], sides[1], place[0], place[1]
+    )]
+    Bow {
+        /// The sides, each named by the corner that it starts from.
+        sides: [usize; 2],
+        /// Approximate place.
+        place: Point,
+    },
     /// A line of a list of points does not hold two numbers.
     #[error("line {line}: expected two numbers, found `{found}`")]
     Line {
@@ -129,9 +142,17 @@ pub struct DrawnShape {
 /// # Errors
 /// [`FileError`] if nothing in the file can be used; it does not name the file.
 pub fn read_shapes(path: &Path, options: &SilhouetteOptions) -> Result<Vec<DrawnShape>, FileError> {
-    let (mut groups, missing) = match content(path, options)? {
-        Content::Shape(region) => (vec![(String::new(), Ok(vec![region]))], Vec::new()),
-        Content::Groups(groups, missing) => (groups, missing),
+    Ok(shapes_and_rest(path, options)?.0)
+}
+
+/// The shapes in a file, and of the parts of a picture that are not its shape their areas relative to that.
+fn shapes_and_rest(
+    path: &Path,
+    options: &SilhouetteOptions,
+) -> Result<(Vec<DrawnShape>, Vec<f64>), FileError> {
+    let (mut groups, missing, rest) = match content(path, options)? {
+        Content::Shape(region, rest) => (vec![(String::new(), Ok(vec![region]))], Vec::new(), rest),
+        Content::Groups(groups, missing) => (groups, missing, Vec::new()),
     };
     if groups.is_empty() {
         return Err(missing.into_iter().next().map_or(FileError::Empty, FileError::OnlyMissing));
@@ -151,7 +172,7 @@ pub fn read_shapes(path: &Path, options: &SilhouetteOptions) -> Result<Vec<Drawn
     }
     name(&mut shapes);
     shapes.extend(missing.into_iter().map(|missing| DrawnShape { name: None, region: Err(missing.into()) }));
-    Ok(shapes)
+    Ok((shapes, rest))
 }
 
 /// Names shapes by their ids, or by their places where these are empty, numbers, or not the only ones.
@@ -168,9 +189,9 @@ fn name(shapes: &mut [DrawnShape]) {
     }
 }
 
-/// What is in a file: one shape; or the shapes of each element of a drawing, with its id, and what is missing.
+/// What is in a file: one shape, and the areas of other parts of a picture relative to it; or the shapes of each element of a drawing, with its id, and what is missing.
 enum Content {
-    Shape(Region),
+    Shape(Region, Vec<f64>),
     Groups(Vec<(String, Result<Vec<Region>, FileError>)>, Vec<Missing>),
 }
 
@@ -181,7 +202,8 @@ fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileErro
     }
     let bytes = std::fs::read(path)?;
     if is_picture(path) || PictureFormat::of(&bytes).is_some() {
-        return Ok(Content::Shape(silhouette(&Picture::read(&bytes)?, options)?));
+        let (region, rest) = silhouette_and_rest(&Picture::read(&bytes)?, options)?;
+        return Ok(Content::Shape(region, rest));
     }
     let text = text(&bytes).ok_or(FileError::Unrecognised)?;
     let mut index = 0;
@@ -206,7 +228,7 @@ fn content(path: &Path, options: &SilhouetteOptions) -> Result<Content, FileErro
         let shape = regions(closed(curves, false)?, FillRule::EvenOdd)?;
         Ok(Content::Groups(vec![(String::new(), Ok(shape))], Vec::new()))
     } else {
-        Ok(Content::Shape(Region { outer: list(&text)?, holes: Vec::new() }))
+        Ok(Content::Shape(Region { outer: list(&text)?, holes: Vec::new() }, Vec::new()))
     }
 }
 
@@ -255,10 +277,10 @@ pub fn read_outlines(
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LeftOut {
-    /// A `use` of what is not in the drawing.
+    /// What is not in the curves of a drawing.
     #[error(transparent)]
     Missing(#[from] Missing),
-    /// Shapes beside the largest one.
+    /// Shapes beside the largest one, of a picture those of at least a thousandth of it.
     #[error(
         "only the largest of {} shapes is used; the others have {:.1} % of its area: leave them out, or join them to it", others + 1, 100.0 * share
     )]
@@ -277,7 +299,11 @@ pub enum LeftOut {
 /// As [`read_outlines`].
 pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<(Region, Vec<LeftOut>), FileError> {
     let (mut outlines, mut left_out) = (Vec::new(), Vec::new());
-    for shape in read_shapes(path, options)? {
+    let (shapes, rest) = shapes_and_rest(path, options)?;
+    if !rest.is_empty() {
+        left_out.push(LeftOut::Shapes { others: rest.len(), share: rest.iter().sum() });
+    }
+    for shape in shapes {
         match shape.region {
             Ok(Region { outer, holes }) => {
                 outlines.push((outer, true));
@@ -303,7 +329,23 @@ pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<(Region, 
 fn closed(index: usize, Polyline { points, is_closed, .. }: Polyline) -> Result<Vec<Point>, FileError> {
     match points.last() {
         Some(end) if !is_closed && points.first() != Some(end) => Err(FileError::Open { index, end: *end }),
-        _ => Ok(points),
+        _ => without_bow(points),
+    }
+}
+
+/// The points of a closed curve, unless it has no area because it crosses itself.
+fn without_bow(mut points: Vec<Point>) -> Result<Vec<Point>, FileError> {
+    let is_finite = points.iter().flatten().all(|x| x.is_finite());
+    if !is_finite || points.len() < 4 || signed_area(&points) != 0.0 {
+        return Ok(points);
+    }
+    points.dedup();
+    let first = points[0];
+    points.pop_if(|last| *last == first);
+    let is_flat = points.windows(3).all(|p| orientation(p[0], p[1], p[2]) == Turn::Straight);
+    match first_crossing_of(&points).filter(|_| !is_flat) {
+        Some(crossing) => Err(FileError::Bow { sides: crossing.sides, place: crossing.place }),
+        None => Ok(points),
     }
 }
 
@@ -329,7 +371,7 @@ fn list(text: &str) -> Result<Outline, FileError> {
         }
         is_first = false;
     }
-    Ok(Outline::new(points)?)
+    Ok(Outline::new(without_bow(points)?)?)
 }
 
 /// The lines of a text, which end with LF, CR LF or CR, and their numbers.

@@ -31,7 +31,9 @@ pub enum OutlineError {
         most: f64,
     },
     /// The area is zero.
-    #[error("the outline of {corners} corners encloses no area")]
+    #[error(
+        "the outline of {corners} corners encloses no area: they lie on a line, or parts on both sides of a crossing cancel each other; move them apart"
+    )]
     Flat {
         /// Its corners.
         corners: usize,

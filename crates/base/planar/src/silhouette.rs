@@ -100,6 +100,18 @@ pub enum SilhouetteError {
 /// # Errors
 /// [`SilhouetteError`] if there is no shape.
 pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Region, SilhouetteError> {
+    Ok(silhouette_and_rest(picture, options)?.0)
+}
+
+/// The least area of a part, relative to the largest one; smaller ones are specks.
+const SPECK: f64 = 1e-3;
+
+/// The shape in a picture, see [`silhouette`], and the areas of the other parts that stand out from the background, relative to it; parts of less
+/// than a thousandth are specks.
+pub(crate) fn silhouette_and_rest(
+    picture: &Picture,
+    options: &SilhouetteOptions,
+) -> Result<(Region, Vec<f64>), SilhouetteError> {
     let (width, height) = (picture.width(), picture.height());
     let (low, high) = range(picture.levels());
     let level = match options.level {
@@ -126,7 +138,7 @@ pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Regi
     }
     let level = if is_dark { 1.0 - level } else { level };
     let found = staircases(&values, across, level);
-    let mut region = largest(&found).ok_or(SilhouetteError::Nothing { width, height })?;
+    let (mut region, rest) = largest(&found).ok_or(SilhouetteError::Nothing { width, height })?;
     if !options.staircase {
         let is_binary = is_binary(&values, across, level);
         let value = |p: Point| f64::from(values[(p[1] + 1.0) as usize * across + (p[0] + 1.0) as usize]);
@@ -138,7 +150,7 @@ pub fn silhouette(picture: &Picture, options: &SilhouetteOptions) -> Result<Regi
             *outline = smooth(outline, crossing);
         }
     }
-    Ok(region)
+    Ok((region, rest))
 }
 
 /// The share of the range of levels by which neighbours differ across the outline in a picture of two levels.
@@ -171,8 +183,8 @@ fn smooth(staircase: &Outline, crossing: impl Fn(Point, Point) -> Option<f64>) -
     Outline::new(points).unwrap_or_else(|_| staircase.clone())
 }
 
-/// The largest outline, and the holes directly inside it.
-fn largest(found: &[Contour]) -> Option<Region> {
+/// The largest outline and the holes directly inside it, and the areas of the other outlines relative to it, but for specks.
+fn largest(found: &[Contour]) -> Option<(Region, Vec<f64>)> {
     // High values lie on the left with rows going down, so outlines of high parts have negative area.
     let mut outers: Vec<(f64, &Contour)> = Vec::new();
     let mut holes: Vec<&Contour> = Vec::new();
@@ -188,7 +200,10 @@ fn largest(found: &[Contour]) -> Option<Region> {
     let outline = |contour: &Contour| {
         Outline::new(contour.points.iter().map(|[x, y]| [x - 1.0, y - 1.0]).collect()).ok()
     };
-    let outer = outline(outers.first()?.1)?;
+    let (area, first) = *outers.first()?;
+    let outer = outline(first)?;
+    let shares = outers[1..].iter().map(|(other, _)| other / area);
+    let rest = shares.filter(|share| *share >= SPECK).collect();
     let islands: Vec<Outline> = outers[1..].iter().filter_map(|(_, contour)| outline(contour)).collect();
     let islands: Vec<Outline> =
         islands.into_iter().filter(|island| outer.contains(island.points()[0])).collect();
@@ -198,7 +213,7 @@ fn largest(found: &[Contour]) -> Option<Region> {
         let is_of_island = |island: &Outline| island.area() > hole.area() && island.contains(at);
         outer.contains(at) && !islands.iter().any(is_of_island)
     });
-    Some(Region { outer, holes: inside })
+    Some((Region { outer, holes: inside }, rest))
 }
 
 fn range(levels: &[f32]) -> (f32, f32) {

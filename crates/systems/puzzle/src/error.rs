@@ -75,14 +75,16 @@ pub enum PuzzleError {
     Outline,
     /// A sheet has no room for all pieces.
     #[error(
-        "the sheet of {width} × {height} holds {fits} of the {pieces} pieces, with {gap} between their paths; take a larger sheet, fewer pieces, or \
-         a smaller puzzle"
+        "the sheet of {width} × {height} holds {fits} of the {pieces} pieces, with {gap} between their paths: the pieces with half a cut around them need \
+         an area of {:.0}, and it has {:.0}; take a sheet with half as much area again as they need, as layouts fill about two thirds, or a smaller puzzle", needed, width * height
     )]
     Sheet {
         /// Its width.
         width: f64,
         /// Its height.
         height: f64,
+        /// The area of the pieces with half a cut around them.
+        needed: f64,
         /// The least distance of paths.
         gap: f64,
         /// The most pieces that were placed.

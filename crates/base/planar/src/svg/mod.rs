@@ -41,25 +41,35 @@ pub struct Element {
 pub struct Drawing {
     /// Its elements that draw something, in its order.
     pub elements: Vec<Element>,
-    /// The visible `use` of what is not in it, which draw nothing.
+    /// What it shows that is not in the elements: each visible `use` of what is not in it, and each visible text.
     pub missing: Vec<Missing>,
 }
 
-/// A `use` of what is not in the drawing.
+/// What is not in the curves of a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "line {line}: <use> draws nothing, for {}",
-    match href.strip_prefix('#') {
-        Some(id) => format!("no element has the id `{id}`"),
-        None if href.is_empty() => "it has no href".to_owned(),
-        None => format!("`{href}` is outside of the drawing, and other files are not read"),
-    }
-)]
-pub struct Missing {
-    /// The line of the element.
-    pub line: u32,
-    /// What it refers to.
-    pub href: String,
+#[non_exhaustive]
+pub enum Missing {
+    /// A `use` of what is not in the drawing.
+    #[error(
+        "line {line}: <use> draws nothing, for {}",
+        match href.strip_prefix('#') {
+            Some(id) => format!("no element has the id `{id}`"),
+            None if href.is_empty() => "it has no href".to_owned(),
+            None => format!("`{href}` is outside of the drawing, and other files are not read"),
+        }
+    )]
+    Use {
+        /// The line of the element.
+        line: u32,
+        /// What it refers to.
+        href: String,
+    },
+    /// A text, whose outlines are in a font.
+    #[error("line {line}: <text> is left out, for fonts are not read; convert it to paths")]
+    Text {
+        /// The line of the element.
+        line: u32,
+    },
 }
 
 /// Why a drawing cannot be read.
@@ -121,10 +131,10 @@ pub fn read(text: &str) -> Result<Vec<Polyline>, SvgError> {
 /// Paths, polygons, polylines, rectangles, circles and ellipses, with the transforms of all elements around them; groups, nested drawings
 /// with their viewports, and what `use` shows, symbols too. Elements without curves, with `display` `none`, those that are not visible, and
 /// shapes of no width, height or radius draw nothing. Nor does a `use` of an id that no element has, or of another file: as viewers do, it is
-/// left out, and it is listed.
+/// left out, and it is listed. So is text.
 ///
 /// # Limits
-/// The `viewBox` of the whole drawing only says what percentages refer to: coordinates are those of its user space. Style sheets, text and
+/// The `viewBox` of the whole drawing only says what percentages refer to: coordinates are those of its user space. Style sheets and
 /// clipping are ignored. Copies by `use` have at most about a million elements, four million points and a depth of 64.
 ///
 /// # Errors
@@ -227,6 +237,17 @@ mod tests {
             "<svg><g id='g'><use href='#none'/><rect width='1' height='2'/></g><use href='#g' x='3'/></svg>";
         let found = read_drawing(group).unwrap();
         assert_eq!((found.elements.len(), found.missing.len()), (2, 1));
+    }
+
+    #[test]
+    fn texts_are_listed_where_they_are_seen() {
+        let text = "<svg><rect width='1' height='2'/>\n<text x='1'><tspan>Hi</tspan></text><text> </text><text visibility='hidden'>no</text>\
+            \n<defs><text id='t'>Ho</text></defs>\n<use href='#t'/></svg>";
+        let found = read_drawing(text).unwrap();
+        let said: Vec<String> = found.missing.iter().map(Missing::to_string).collect();
+        let of =
+            |line| format!("line {line}: <text> is left out, for fonts are not read; convert it to paths");
+        assert_eq!((found.elements.len(), said), (1, vec![of(2), of(3)]));
     }
 
     #[test]

@@ -110,7 +110,7 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, SvgError> {
         if name == "use" {
             let Some(target) = used(node, &named) else {
                 if place.is_visible {
-                    missing.push(Missing { line: line(node), href: href(node).to_owned() });
+                    missing.push(Missing::Use { line: line(node), href: href(node).to_owned() });
                 }
                 continue;
             };
@@ -118,6 +118,14 @@ pub(super) fn drawing(text: &str) -> Result<Drawing, SvgError> {
             place.transform = place.transform.then_inner(shift);
             place.copy = Some(Rc::new(copied(node, target, place.copy.take())?));
             open.push((target, place));
+            continue;
+        }
+        if name == "text" {
+            let is_written =
+                node.descendants().filter_map(|part| part.text()).any(|text| !text.trim().is_empty());
+            if place.is_visible && is_written {
+                missing.push(Missing::Text { line: line(node) });
+            }
             continue;
         }
         if (name == "svg" && node != root) || name == "symbol" {

@@ -2,6 +2,7 @@
 
 use pompeiu_planar::picture::{Picture, PictureError};
 use pompeiu_planar::silhouette::{Foreground, SilhouetteError, SilhouetteOptions, silhouette};
+use pompeiu_planar::svg::Missing;
 use pompeiu_planar::{FileError, LeftOut, read_outlines, read_region, read_shapes};
 use std::path::PathBuf;
 
@@ -214,11 +215,13 @@ fn what_a_drawing_does_not_have_is_left_out_and_said() {
     let some = file("some.svg", text);
     let (region, left_out) = read_region(&some, &options).unwrap();
     let (outlines, missing) = read_outlines(&some, &options).unwrap();
-    assert_eq!((region.outer.area(), missing.len(), missing[1].line, outlines.len()), (2.0, 2, 2, 1));
+    assert_eq!((region.outer.area(), missing.len(), outlines.len()), (2.0, 2, 1));
     assert_eq!(left_out, missing.into_iter().map(LeftOut::Missing).collect::<Vec<_>>());
     let shapes = read_shapes(&some, &options).unwrap();
     assert!(shapes.iter().all(|shape| shape.name.is_none()));
-    assert!(matches!(&shapes[2].region, Err(FileError::Missing(missing)) if missing.href == "other.svg#a"));
+    assert!(
+        matches!(&shapes[2].region, Err(FileError::Missing(missing)) if matches!(missing, Missing::Use { line: 2, href } if href == "other.svg#a"))
+    );
     let none = file("nothing.svg", b"<svg><use href='#none'/></svg>");
     let error = read_region(&none, &options).unwrap_err().to_string();
     assert!(error.starts_with("there is no curve in the drawing: line 1: <use> draws nothing"), "{error}");
@@ -239,6 +242,44 @@ fn shapes_beside_the_largest_one_are_left_out_and_said() {
     let (_, none) =
         read_region(&file("one.svg", b"<svg><rect width='2' height='1'/></svg>"), &options).unwrap();
     assert_eq!(none, []);
+}
+
+#[test]
+fn parts_beside_the_largest_one_of_a_picture_are_left_out_and_said() {
+    // 40 × 40 pixels: a square of 34, two of 3, and a speck of less than a thousandth; in a BMP of 24 bits.
+    let (n, squares) = (40_usize, [(1, 1, 34), (36, 36, 3), (36, 20, 3), (37, 2, 1)]);
+    let is_dark = |x: usize, y: usize| {
+        squares.iter().any(|&(a, b, size)| (a..a + size).contains(&x) && (b..b + size).contains(&y))
+    };
+    let levels = (0..n * n).flat_map(|i| [if is_dark(i % n, i / n) { 0_u8 } else { 255 }; 3]);
+    let mut bytes = b"BM".to_vec();
+    let pixels = 54 + (3 * n * n) as u32;
+    bytes.extend(
+        [pixels, 0, 54, 40, n as u32, n as u32, 1 | (24 << 16)].into_iter().flat_map(u32::to_le_bytes),
+    );
+    bytes.extend([0; 24]);
+    bytes.extend(levels);
+    let (region, left_out) = read_region(&file("parts.bmp", &bytes), &staircase()).unwrap();
+    assert_eq!(
+        (region.area(), left_out),
+        (1156.0, vec![LeftOut::Shapes { others: 2, share: 2.0 * (9.0 / 1156.0) }])
+    );
+}
+
+#[test]
+fn a_bow_is_refused_with_its_crossing() {
+    let options = SilhouetteOptions::default();
+    let drawn = file("bow.svg", b"<svg><path d='M0 0L4 4L4 0L0 4Z'/></svg>");
+    let listed = file("bow.txt", b"0 0\n4 4\n4 0\n0 4\n0 0\n");
+    for path in [drawn, listed] {
+        match read_region(&path, &options) {
+            Err(FileError::Bow { sides: [0, 2], place: [2.0, 2.0] }) => (),
+            found => panic!("{found:?}"),
+        }
+    }
+    let flat = file("flat.txt", b"0 0\n1 1\n3 3\n2 2\n");
+    let error = read_region(&flat, &options).unwrap_err();
+    assert!(matches!(error, FileError::Outline(_)), "{error}");
 }
 
 #[test]
