@@ -50,6 +50,10 @@ impl Linear {
         a + v * b + w * c
     }
 
+    pub(super) fn negative(&self) -> Self {
+        Self(self.0.map(|x| -x))
+    }
+
     #[inline]
     pub(super) fn row(&self, outline: &Outline) -> Row {
         let [a, b, c] = self.0;

@@ -225,7 +225,7 @@ impl<'b> Cells<'b> {
             let across = edges[k].1;
             // All of it lies beyond, but for a strip.
             if least >= -LEAST_STRIP * most {
-                self.step(outline, across, part);
+                self.step(outline, across, part, scale, workspace);
                 return;
             }
             if outline.count == MOST_CORNERS {
@@ -239,7 +239,7 @@ impl<'b> Cells<'b> {
             }
             match outline.cut(&row) {
                 Some([out, inside]) => {
-                    self.step(out, across, part);
+                    self.step(out, across, part, scale, workspace);
                     outline = inside;
                 }
                 None => tried[k] = true,
@@ -259,11 +259,25 @@ impl<'b> Cells<'b> {
         }
     }
 
-    /// What of a part lies beyond an edge goes to the face across it.
-    fn step(&mut self, outline: Outline, across: Option<Slot>, Part { slot, walk, .. }: Part) {
-        match across {
-            Some(slot) => self.parts.push(Part { outline, slot, walk: walk.to(slot) }),
-            None => self.rest.push(Rest { outline, near: slot }),
+    /// What of a part lies beyond an edge goes to the face across it, or to the nearest where there is none, as in meshes whose faces share no
+    /// vertices.
+    fn step(
+        &mut self,
+        outline: Outline,
+        across: Option<Slot>,
+        Part { slot, walk, .. }: Part,
+        scale: &Scale,
+        workspace: &mut Workspace,
+    ) {
+        if let Some(slot) = across {
+            self.parts.push(Part { outline, slot, walk: walk.to(slot) });
+            return;
+        }
+        let near = if walk.is_over() { slot } else { self.nearest(&outline, slot, scale, workspace) };
+        if near == slot {
+            self.rest.push(Rest { outline, near });
+        } else {
+            self.parts.push(Part { outline, slot: near, walk: walk.to(near) });
         }
     }
 
@@ -335,18 +349,19 @@ impl<'b> Cells<'b> {
                         continue;
                     }
                     blocking.filter(|_| !walk.is_over() && outline.count < MOST_CORNERS).and_then(
-                        |(other, side)| {
-                            let [there, here] = outline.cut(&side)?;
-                            Some([(there, other), (here, slot)])
+                        |blocking| {
+                            let (there, own) = blocking.divide(&outline)?;
+                            Some((there, blocking.slot, own))
                         },
                     )
                 }
                 None => None,
             };
             match parts {
-                Some(parts) => {
-                    let walk = walk.aside();
-                    self.again.extend(parts.map(|(outline, slot)| Part { outline, slot, walk }));
+                Some((there, other, own)) => {
+                    self.again.push(Part { outline: there, slot: other, walk: walk.aside() });
+                    let walk = if own[1].is_some() { walk.cut() } else { walk.aside() };
+                    self.again.extend(own.into_iter().flatten().map(|outline| Part { outline, slot, walk }));
                 }
                 None => self.rest.push(Rest { outline, near: slot }),
             }
@@ -356,7 +371,7 @@ impl<'b> Cells<'b> {
 
 impl Outline {
     /// The longest way between two corners, and which.
-    fn longest_way(&self, scale: &Scale) -> (DVec3, usize, usize) {
+    pub(super) fn longest_way(&self, scale: &Scale) -> (DVec3, usize, usize) {
         let mut longest = (DVec3::ZERO, 0, 0);
         for i in 0..self.count {
             for j in i + 1..self.count {

@@ -7,7 +7,7 @@
 //! behind its plane.
 
 use super::behind::{Plane, rising, tilted};
-use super::candidates::{Candidate, Scale};
+use super::candidates::{Candidate, Linear, Scale};
 use super::fronts::Front;
 use super::polygon::{MOST_CORNERS, Outline, Polygon, Row};
 use super::walk::Walk;
@@ -36,8 +36,32 @@ pub(super) struct Cell {
 pub(super) struct Compared {
     /// The functions on the cell.
     pub(super) polygon: Polygon,
-    /// The face that keeps it from being as narrow as wanted, and where that is nearer: there, these values at the corners are positive.
-    pub(super) blocking: Option<(Slot, Row)>,
+    /// The face that keeps it from being as narrow as wanted.
+    pub(super) blocking: Option<Blocking>,
+}
+
+/// A face that is nearer on some of a cell than the face that the cell is over: as far as both lie over their faces, where
+/// its height is between that of the cell's face and its negative.
+#[derive(Clone, Copy)]
+pub(super) struct Blocking {
+    pub(super) slot: Slot,
+    /// Height over the plane of the cell's face, not negative.
+    own: Linear,
+    /// Height over the plane of the blocking face, not negative at the centre of the cell.
+    other: Linear,
+}
+
+impl Blocking {
+    /// The part of the cell where this face is nearer, if there is any, and what is left on the near and on the far side of it.
+    pub(super) fn divide(&self, outline: &Outline) -> Option<(Outline, [Option<Outline>; 2])> {
+        let (own, other) = (self.own.row(outline), self.other.row(outline));
+        let [there, near] = outline.cut(&std::array::from_fn(|j| own[j] - other[j]))?;
+        let (own, other) = (self.own.row(&there), self.other.row(&there));
+        match there.cut(&std::array::from_fn(|j| -own[j] - other[j])) {
+            Some([far, there]) => Some((there, [Some(near), Some(far)])),
+            None => Some((there, [Some(near), None])),
+        }
+    }
 }
 
 /// Memory for comparing.
@@ -100,12 +124,14 @@ impl<'b> Compare<'b> {
         let highest = rising(self.bvh, &self.leaves, &plane, &mut self.rising);
         let own = face.reach_along(g, through);
         let highest = if own > highest { own } else { highest };
-        let here = scale.along(g, through).row(outline);
+        let own_height = scale.along(g, through);
+        let here = own_height.row(outline);
         let mut row = here.map(|x| x - highest);
         let mut worst = rise;
         let mut blocking = None;
         let centre = scale.point(at);
-        let front = Front::new(centre, &cell.points, &cell.upper);
+        let along = outline.longest_way(scale).0;
+        let front = Front::new(centre, &cell.points, along, &cell.upper, rise);
         for from in (0..self.rising.len()).step_by(LANES) {
             let count = self.rising[from..].len().min(LANES);
             let fronts = front.look(self.bvh, &self.rising[from..from + count]);
@@ -127,10 +153,13 @@ impl<'b> Compare<'b> {
                 lower_to(&mut row, &theirs);
                 if deficit > worst {
                     worst = deficit;
-                    let below = other.height.at(at) < 0.0;
-                    let height = other.height.row(outline).map(|h| if below { -h } else { h });
-                    blocking =
-                        other.is_usable().then(|| (slot, std::array::from_fn(|j| here[j] - height[j])));
+                    let height =
+                        if other.height.at(at) < 0.0 { other.height.negative() } else { other.height };
+                    blocking = (other.normal != DVec3::ZERO).then_some(Blocking {
+                        slot,
+                        own: own_height,
+                        other: height,
+                    });
                 }
             }
         }

@@ -2,10 +2,14 @@
 //!
 //! # What is proven
 //! With c the centre of the cell and g no longer than one, `g . (x - c) - max_j g . (t_j - c)` is no greater than the distance of x from the
-//! triangle with corners t: it lies behind that plane. Two directions are tried, that from its nearest point to c, and its own normal. How far it
+//! triangle with corners t: it lies behind that plane. Up to three directions are tried: that from its nearest point to c, its own normal, and that
+//! across the longest way on the cell and its longest edge, for long faces that pass beside long cells. How far it
 //! reaches along them is computed, so that any direction will do. Errors are those of planes in front of boxes and triangles (`planes`).
 
-use super::lanes::{Lanes, Seen, Vectors, from_point, inverse_length, reach, seen, times};
+use super::lanes::{
+    Lanes, Seen, Vectors, broadcast, cross, dot, from_point, inverse_length, longer, minus, reach, seen,
+    times,
+};
 use super::polygon::{MOST_CORNERS, Row};
 use glam::DVec3;
 use multiversion::multiversion;
@@ -17,8 +21,11 @@ pub(super) struct Front {
     centre: [f64; 3],
     /// From there to the corners, coordinate by coordinate.
     ways: [Row; 3],
-    /// Values at the corners that planes should reach.
+    /// The longest way between two of them.
+    along: [f64; 3],
+    /// Values at the corners that planes should reach, and how far below them is enough.
     wanted: Row,
+    enough: f64,
 }
 
 /// What eight faces say of a cell.
@@ -32,7 +39,7 @@ pub(super) struct Fronts {
 }
 
 impl Front {
-    pub(super) fn new(centre: DVec3, points: &[Row; 3], wanted: &Row) -> Self {
+    pub(super) fn new(centre: DVec3, points: &[Row; 3], along: DVec3, wanted: &Row, enough: f64) -> Self {
         let centre = centre.to_array();
         let mut ways = *points;
         for k in 0..3 {
@@ -40,7 +47,7 @@ impl Front {
                 ways[k][j] -= centre[k];
             }
         }
-        Self { centre, ways, wanted: *wanted }
+        Self { centre, ways, along: along.to_array(), wanted: *wanted, enough }
     }
 
     /// Looks at up to eight faces; lanes without one repeat the first.
@@ -69,18 +76,42 @@ impl Fronts {
 fn look(front: &Front, block: &TriangleBlock) -> Fronts {
     let corners = from_point(front.centre, block);
     let Seen { way, distances_sq, normal } = seen(&corners);
-    let tangent = plane(&times(&inverse_length(&distances_sq), &way), &corners, front);
-    let own = plane(&normal, &corners, front);
-    let (mut rows, mut deficits) = tangent;
+    let mut best = plane(&times(&inverse_length(&distances_sq), &way), &corners, front);
+    better(&mut best, &plane(&normal, &corners, front));
+    if best.1.iter().any(|deficit| *deficit > front.enough) {
+        better(&mut best, &plane(&across(&corners, &way, front), &corners, front));
+    }
+    let (rows, deficits) = best;
+    Fronts { rows, deficits, ways: way }
+}
+
+/// The better planes of eight faces.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn better(best: &mut ([Lanes; MOST_CORNERS], Lanes), other: &([Lanes; MOST_CORNERS], Lanes)) {
     for l in 0..LANES {
         for j in 0..MOST_CORNERS {
-            rows[j][l] = if own.1[l] < deficits[l] { own.0[j][l] } else { rows[j][l] };
+            best.0[j][l] = if other.1[l] < best.1[l] { other.0[j][l] } else { best.0[j][l] };
         }
     }
     for l in 0..LANES {
-        deficits[l] = if own.1[l] < deficits[l] { own.1[l] } else { deficits[l] };
+        best.1[l] = if other.1[l] < best.1[l] { other.1[l] } else { best.1[l] };
     }
-    Fronts { rows, deficits, ways: way }
+}
+
+/// Directions across the longest way on a cell and the longest edges of triangles, towards the cell.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+fn across([a, b, c]: &[Vectors; 3], way: &Vectors, front: &Front) -> Vectors {
+    let edge = longer(&longer(&minus(b, a), &minus(c, a)), &minus(c, b));
+    let across = cross(&broadcast(front.along), &edge);
+    let (square, side) = (dot(&across, &across), dot(&across, way));
+    let length = inverse_length(&square);
+    let mut towards = [0.0; LANES];
+    for l in 0..LANES {
+        towards[l] = if side[l] < 0.0 { -length[l] } else { length[l] };
+    }
+    times(&towards, &across)
 }
 
 /// Values at the corners of a cell of the planes that touch triangles along directions, and how far they lie below what is wanted at most.
@@ -135,7 +166,8 @@ mod tests {
             let corners: [[f64; 3]; MOST_CORNERS] = std::array::from_fn(corner);
             let rows = [0, 1, 2].map(|k| std::array::from_fn(|j| corners[j][k]));
             let centre = corners.iter().map(|p| DVec3::from_array(*p)).sum::<DVec3>() / MOST_CORNERS as f64;
-            let front = Front::new(centre, &rows, &[wanted; MOST_CORNERS]);
+            let along = DVec3::from_array(corners[1]) - DVec3::from_array(corners[0]);
+            let front = Front::new(centre, &rows, along, &[wanted; MOST_CORNERS], 0.0);
             for some in slots.chunks(LANES) {
                 let fronts = front.look(bvh, some);
                 for (lane, slot) in some.iter().enumerate() {
@@ -159,7 +191,8 @@ mod tests {
             let slots: Vec<Slot> = target.bvh().slots().collect();
             for p in [[v, w, height], [-aside, w, height], [-aside, -aside, height]] {
                 let p = target.frame().map(p);
-                let front = Front::new(DVec3::from_array(p), &p.map(|x| [x; MOST_CORNERS]), &[0.0; MOST_CORNERS]);
+                let cell = p.map(|x| [x; MOST_CORNERS]);
+                let front = Front::new(DVec3::from_array(p), &cell, DVec3::X, &[0.0; MOST_CORNERS], f64::INFINITY);
                 let fronts = front.look(target.bvh(), &slots[..1]);
                 let exact = point_triangle(p, target.bvh().corners(slots[0]));
                 prop_assert!((fronts.row(0)[0] - exact).abs() < 1e-14, "{} {exact}", fronts.row(0)[0]);

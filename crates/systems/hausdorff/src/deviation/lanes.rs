@@ -102,6 +102,20 @@ fn nearer(x: (Vectors, Lanes), y: (Vectors, Lanes)) -> (Vectors, Lanes) {
     (r, square)
 }
 
+/// The longer vectors.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
+pub(super) fn longer(x: &Vectors, y: &Vectors) -> Vectors {
+    let (xx, yy) = (dot(x, x), dot(y, y));
+    let mut out = [[0.0; LANES]; 3];
+    for k in 0..3 {
+        for l in 0..LANES {
+            out[k][l] = if yy[l] > xx[l] { y[k][l] } else { x[k][l] };
+        }
+    }
+    out
+}
+
 /// One by a length, given its square; less where digits of the square are lost.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
@@ -134,7 +148,7 @@ pub(super) fn times(s: &Lanes, a: &Vectors) -> Vectors {
 
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn minus(a: &Vectors, b: &Vectors) -> Vectors {
+pub(super) fn minus(a: &Vectors, b: &Vectors) -> Vectors {
     let mut out = [[0.0; LANES]; 3];
     for k in 0..3 {
         for l in 0..LANES {
@@ -156,7 +170,7 @@ pub(super) fn dot(a: &Vectors, b: &Vectors) -> Lanes {
 
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "compiled once per instruction set of its caller")]
-fn cross(a: &Vectors, b: &Vectors) -> Vectors {
+pub(super) fn cross(a: &Vectors, b: &Vectors) -> Vectors {
     let mut out = [[0.0; LANES]; 3];
     for l in 0..LANES {
         out[0][l] = a[1][l] * b[2][l] - a[2][l] * b[1][l];
