@@ -218,28 +218,3 @@ impl PartialOrd for Near {
         Some(self.cmp(other))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::moving::mean_edge;
-    use crate::options::BoundaryCondition;
-    use pompeiu_core::TriMesh;
-    use pompeiu_core::mesh::shapes::{Ends, cylinder, icosphere};
-    use pompeiu_remesh::DynamicMesh;
-
-    fn shows(mesh: &TriMesh) -> bool {
-        let mesh = DynamicMesh::new(mesh.positions(), mesh.faces()).unwrap();
-        let surface = MovingSurface::new(mesh, BoundaryCondition::Fixed);
-        would_show(&surface, mean_edge(&surface.triangles()))
-    }
-
-    /// Edges of a turned part are much longer than the sides of its circles: a ball of some mean edges holds most of it, and to try all of its vertices
-    /// took minutes.
-    #[test]
-    fn necks_are_watched_for_where_edges_measure_them() {
-        assert!(shows(&icosphere(1.0, 3).unwrap()));
-        assert!(!shows(&cylinder(0.05, 4.0, 3, 40, Ends::Open).unwrap()));
-        assert!(!shows(&cylinder(1.0, 4.0, 3000, 1, Ends::Capped).unwrap()));
-    }
-}
