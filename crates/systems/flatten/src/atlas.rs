@@ -7,7 +7,7 @@ use crate::cut::first_cut;
 use crate::distortion::Distortion;
 use crate::divide::divide;
 use crate::opened::disks;
-use crate::seams::ShortSeams;
+use crate::seams::{ShortSeams, seam_length};
 use crate::watch::Watch;
 use crate::{Charts, FlattenError, FlattenOptions};
 use pompeiu_surface::{EdgeData, EmbeddedSurface, Surface};
@@ -87,13 +87,8 @@ impl Atlas {
     ) -> bool {
         let pieces: Vec<Piece> =
             parts.iter().zip(charts).map(|(part, chart)| Piece::new(part.clone(), chart.clone())).collect();
-        length(surface, &self.seams) < length(surface, cut) || !is_enough(&pieces, options)
+        seam_length(surface, &self.seams) < seam_length(surface, cut) || !is_enough(&pieces, options)
     }
-}
-
-/// The length of marked edges.
-fn length(surface: &Surface, seams: &EdgeData<bool>) -> f64 {
-    seams.entries().filter(|(_, is_seam)| **is_seam).map(|(edge, _)| surface.edge_length(edge)).sum()
 }
 
 /// A surface with its charts while seams are looked for.
@@ -127,14 +122,15 @@ pub(crate) fn with_short_seams(
     let options = FlattenOptions { most_cuts: 0, ..options.clone() };
     let seamed = Seamed { surface, options, watch, allowed: enough - 4.0 };
     let creased = seamed.along_creases()?;
-    let of_creases = creased.as_ref().map(|(seams, _)| length(whole, seams));
-    let is_short = of_creases.is_some_and(|of_creases| of_creases <= SHORT * length(whole, &seams));
+    let of_creases = creased.as_ref().map(|(seams, _)| seam_length(whole, seams));
+    let is_short = of_creases.is_some_and(|of_creases| of_creases <= SHORT * seam_length(whole, &seams));
     let grown = if is_short || whole.mesh().faces() > MOST_FACES {
         None
     } else {
         seamed.grown(seams, of_creases.unwrap_or(f64::INFINITY))?
     };
-    let grown = grown.filter(|(grown, _)| of_creases.is_none_or(|longest| length(whole, grown) < longest));
+    let grown =
+        grown.filter(|(grown, _)| of_creases.is_none_or(|longest| seam_length(whole, grown) < longest));
     let is_of_creases = grown.is_none() && !is_short;
     Ok(grown.or(creased).map(|(seams, mut pieces)| {
         pieces.sort_by_key(|piece| piece.part.faces.first().copied());
@@ -196,13 +192,14 @@ impl Seamed<'_, '_, '_> {
     /// `longest`.
     fn grown(&self, seams: EdgeData<bool>, longest: f64) -> Result<Option<Found>, FlattenError> {
         let (allowed, watch) = (self.allowed, self.watch);
-        let mut growing = ShortSeams::new(self.surface.surface(), &seams)?;
+        let whole = self.surface.surface();
+        let mut growing = ShortSeams::new(whole, &seams)?;
         // Seams with which the distortion is still too great, and its excess.
         let mut before: Option<(EdgeData<bool>, f64)> = None;
         let mut best: Option<Found> = None;
         let mut next = Some(seams);
         for attempt in 0..ATTEMPTS {
-            let Some(seams) = next.filter(|seams| growing.length(seams) < longest) else { break };
+            let Some(seams) = next.filter(|seams| seam_length(whole, seams) < longest) else { break };
             let pieces = self.mapped(&seams)?;
             let reached = mean_excess(&pieces);
             if reached <= allowed || watch.is_stopped() {
@@ -222,7 +219,7 @@ impl Seamed<'_, '_, '_> {
         if let (Some((seams, reached)), Some((found, _))) = (&before, &best)
             && !watch.is_stopped()
         {
-            for seams in growing.completed(seams, *reached, allowed, growing.length(found), watch)? {
+            for seams in growing.completed(seams, *reached, allowed, seam_length(whole, found), watch)? {
                 let pieces = self.mapped(&seams)?;
                 if mean_excess(&pieces) <= allowed {
                     best = Some((seams, pieces));

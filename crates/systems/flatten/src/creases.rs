@@ -59,7 +59,7 @@ pub(crate) fn seams_along_creases(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::seams::ShortSeams;
+    use crate::seams::{ShortSeams, seam_length};
     use crate::watch::Watch;
     use pompeiu_core::TriMesh;
     use pompeiu_core::mesh::shapes::{Ends, cube, cylinder, icosphere};
@@ -71,15 +71,11 @@ mod tests {
         (surface, found)
     }
 
-    fn length(surface: &EmbeddedSurface, seams: &EdgeData<bool>) -> f64 {
-        seams.entries().filter(|(_, is_seam)| **is_seam).map(|(e, _)| surface.surface().edge_length(e)).sum()
-    }
-
     #[test]
     fn regions_between_creases_become_disks() {
         let (surface, found) = seams(&cylinder(1.0, 4.0, 64, 3, Ends::Capped).unwrap());
         let rims = 2.0 * 64.0 * 2.0 * (std::f64::consts::PI / 64.0).sin();
-        assert!((length(&surface, &found.unwrap()) - rims - 4.0).abs() < 1e-12);
+        assert!((seam_length(surface.surface(), &found.unwrap()) - rims - 4.0).abs() < 1e-12);
         assert!(seams(&icosphere(1.0, 3).unwrap()).1.is_none());
         // Each face of a rough surface would be a region of its own.
         assert!(seams(&icosphere(1.0, 0).unwrap()).1.is_none());
@@ -91,12 +87,12 @@ mod tests {
     fn a_cube_is_unfolded() {
         let (surface, found) = seams(&cube(2.0, 3).unwrap());
         let found = found.unwrap();
-        assert!((length(&surface, &found) - 24.0).abs() < 1e-12);
+        assert!((seam_length(surface.surface(), &found) - 24.0).abs() < 1e-12);
         let control = Control::start(&Limits::default());
         let watch = Watch::new(&control, None, 1);
         let mut closing = ShortSeams::new(surface.surface(), &found).unwrap();
         let closed = closing.shrink(1e-9, &watch).unwrap();
-        let left = length(&surface, &closed);
+        let left = seam_length(surface.surface(), &closed);
         assert!((14.0 - 1e-9..=16.0 + 1e-9).contains(&left), "{left}");
         assert!(closing.estimate() < 1e-9);
         open(surface.mesh(), &closed).unwrap().check_disks().unwrap();

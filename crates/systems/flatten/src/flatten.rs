@@ -9,6 +9,7 @@ use crate::distortion::{Distortion, best_scale, singular_values, symmetric_diric
 use crate::opened::disks;
 use crate::pack::{bounds, pack, turn};
 use crate::report::{CutReport, FlattenReport, PartReport, Timing};
+use crate::seams::seam_length;
 use crate::watch::Watch;
 use crate::{Charts, FlattenError, FlattenOptions, Method};
 use pompeiu_core::FaceId;
@@ -289,12 +290,7 @@ fn judge(
     let values: Vec<([f64; 2], f64)> =
         surface.mesh().face_ids().map(|face| (at(face), surface.surface().face_area(face))).collect();
     let distortion = Distortion::of(&values);
-    let length = surface
-        .mesh()
-        .edge_ids()
-        .filter(|&e| cut[e])
-        .map(|e| surface.surface().edge_length(e))
-        .fold(0.0, std::ops::Add::add);
+    let length = seam_length(surface.surface(), &cut);
     let report = FlattenReport {
         charts: charts.len(),
         flipped: flipped.len(),

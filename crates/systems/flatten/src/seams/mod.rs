@@ -22,6 +22,13 @@ const ESTIMATE: f64 = 1.8;
 /// Ways to add the last seam that are given back at most.
 const LAST_ROUTES: usize = 6;
 
+/// The length of marked edges.
+pub(crate) fn seam_length(surface: &Surface, seams: &EdgeData<bool>) -> f64 {
+    let marked = seams.entries().filter(|(_, is_seam)| **is_seam);
+    // A sum of nothing would be -0.
+    marked.fold(0.0, |sum, (edge, _)| sum + surface.edge_length(edge))
+}
+
 /// Seams that grow, from given ones, between disks: short for how little the charts are estimated to distort.
 pub(crate) struct ShortSeams<'s> {
     layout: Layout<'s>,
@@ -68,11 +75,6 @@ impl<'s> ShortSeams<'s> {
         self.layout.excess() / self.layout.surface.area()
     }
 
-    /// The length of seams.
-    pub(crate) fn length(&self, seams: &EdgeData<bool>) -> f64 {
-        seams.entries().filter(|(_, is_seam)| **is_seam).map(|(edge, _)| self.layout.lengths[edge]).sum()
-    }
-
     /// Some seams that are shorter than a length, the shortest first, and add one route to given ones, whose maps exceed the energy of an
     /// isometry by `reached`, so that it may be `allowed` after that.
     pub(crate) fn completed(
@@ -86,7 +88,7 @@ impl<'s> ShortSeams<'s> {
         let mut layout = Layout::new(self.layout.surface, seams.clone())?;
         // The estimate is taken to be wrong by one factor.
         let excess = (1.0 - allowed / reached) * layout.excess();
-        let longest = length - self.length(seams);
+        let longest = length - seam_length(self.layout.surface, seams);
         let mut known = Known::default();
         let mut all = search::last_routes(&mut layout, &mut known, excess, longest, watch)?;
         all.truncate(LAST_ROUTES);

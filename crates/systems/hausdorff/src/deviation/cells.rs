@@ -182,12 +182,7 @@ impl<'b> Cells<'b> {
         let at_centre = height.at(outline.centre());
         if at_centre * at_centre > FARTHEST * facet.area {
             // Far beside a face its plane says nothing about how far B is.
-            let near = self.nearest(&outline, slot, scale, workspace);
-            if near == slot || walk.is_over() {
-                self.rest.push(Rest { outline, near });
-            } else {
-                self.parts.push(Part { outline, slot: near, walk: walk.to(near) });
-            }
+            self.go_to_nearest(part, scale, workspace);
             return;
         }
         let share = outline.share() * area;
@@ -265,16 +260,25 @@ impl<'b> Cells<'b> {
         &mut self,
         outline: Outline,
         across: Option<Slot>,
-        Part { slot, walk, .. }: Part,
+        part: Part,
         scale: &Scale,
         workspace: &mut Workspace,
     ) {
-        if let Some(slot) = across {
-            self.parts.push(Part { outline, slot, walk: walk.to(slot) });
-            return;
+        match across {
+            Some(slot) => self.parts.push(Part { outline, slot, walk: part.walk.to(slot) }),
+            None => self.go_to_nearest(Part { outline, ..part }, scale, workspace),
         }
-        let near = if walk.is_over() { slot } else { self.nearest(&outline, slot, scale, workspace) };
-        if near == slot {
+    }
+
+    /// Goes on over the face nearest to the centre of a part, if that is another one and the way not over.
+    fn go_to_nearest(
+        &mut self,
+        Part { outline, slot, walk }: Part,
+        scale: &Scale,
+        workspace: &mut Workspace,
+    ) {
+        let near = self.nearest(&outline, slot, scale, workspace);
+        if near == slot || walk.is_over() {
             self.rest.push(Rest { outline, near });
         } else {
             self.parts.push(Part { outline, slot: near, walk: walk.to(near) });

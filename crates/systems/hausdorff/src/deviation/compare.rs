@@ -40,8 +40,8 @@ pub(super) struct Compared {
     pub(super) blocking: Option<Blocking>,
 }
 
-/// A face that is nearer on some of a cell than the face that the cell is over: as far as both lie over their faces, where
-/// its height is between that of the cell's face and its negative.
+/// A face that may be nearer on some of a cell than the face that the cell is over: where the cell lies over both, it is where the height over the
+/// plane of the other is between that over the plane of the cell's face and its negative.
 #[derive(Clone, Copy)]
 pub(super) struct Blocking {
     pub(super) slot: Slot,
