@@ -1209,10 +1209,25 @@ fn cells_of_a_neuron_that_are_not_proven_are_named() {
     let unproven = mesh["unproven"].as_array().unwrap();
     assert_eq!(mesh["certified"], false);
     assert!(unproven[0]["scaled_jacobian"].as_f64().unwrap() <= 0.0);
-    assert_eq!(keys(&unproven[0]), sorted(&["cell", "scaled_jacobian", "centre", "sample", "line"]));
-    let answer = folder.run("neuron mesh bend.swc -o bend.vtu");
+    assert_eq!(
+        keys(&unproven[0]),
+        sorted(&["cell", "scaled_jacobian", "folded", "centre", "sample", "line"])
+    );
+    let folded = unproven.iter().filter(|cell| cell["folded"] == true).count();
+    assert!(folded > 0);
+    let answer = folder.run("neuron mesh bend.swc -o bend.vtu --within 50");
+    assert_eq!(answer.status.code(), Some(1));
     let answer = String::from_utf8(answer.stdout).unwrap();
     let row = answer.lines().find(|line| line.starts_with("unproven")).unwrap();
     let (line, cell) = (&unproven[0]["line"], &unproven[0]["cell"]);
-    assert!(row.contains(&format!("line {line}: cell {cell} at (")), "{row}");
+    assert!(row.contains(&format!("line {line}: cell {cell} at (")) && row.contains("is folded"), "{row}");
+    let result = answer.lines().next().unwrap();
+    assert!(result.contains(&format!("{folded} cells are folded")), "{result}");
+    // Nothing flows through folded cells.
+    let flow = folder.run("neuron flow bend.swc --within 50 --json");
+    assert_eq!(flow.status.code(), Some(1));
+    let flow: Value = serde_json::from_slice(&flow.stdout).unwrap();
+    let report = &flow["report"];
+    assert!(report["ended"].as_str().unwrap().contains("folded, the worst near sample"), "{report}");
+    assert!(report.get("flow").is_none());
 }

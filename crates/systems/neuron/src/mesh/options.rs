@@ -92,6 +92,13 @@ pub struct MeshReport {
     pub moved: Vec<String>,
 }
 
+impl MeshReport {
+    /// Number of cells that are proven to be folded.
+    pub fn folded(&self) -> usize {
+        self.unproven.iter().filter(|cell| cell.folded).count()
+    }
+}
+
 /// A cell over which the Jacobian determinant is not proven positive: it is folded, or nearly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -101,6 +108,8 @@ pub struct UnprovenCell {
     pub cell: usize,
     /// Its least scaled Jacobian at points: not above 0 if it is folded there.
     pub scaled_jacobian: f64,
+    /// Whether the Jacobian determinant is proven to be zero or negative at a point of the cell.
+    pub folded: bool,
     /// The mean of its corners, in micrometres.
     pub centre: [f64; 3],
     /// The nearest sample, by its number in the file; omitted without a skeleton.

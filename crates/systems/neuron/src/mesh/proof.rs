@@ -14,10 +14,19 @@ use rayon::prelude::*;
 pub(super) struct CellProof {
     /// A proven lower bound on the scaled Jacobian over all cells.
     pub(super) least: f64,
-    /// The cells whose determinant is not proven positive, with their least scaled Jacobian at points, the worst first.
-    unproven: Vec<(usize, f64)>,
+    /// The cells whose determinant is not proven positive, the worst first.
+    unproven: Vec<Unproven>,
     /// The cell with the least scaled Jacobian at points, and this value.
     pub(super) worst: (usize, f64),
+}
+
+/// A cell whose determinant is not proven positive.
+struct Unproven {
+    cell: usize,
+    /// Its least scaled Jacobian at points.
+    at_points: f64,
+    /// Whether its determinant is proven to be zero or negative at a point.
+    is_folded: bool,
 }
 
 impl CellProof {
@@ -26,7 +35,7 @@ impl CellProof {
         Self::new(
             mesh.cells().len(),
             control,
-            |cell| (scaled_jacobian(&corners(cell)), certify(&corners(cell)) == Jacobian::Positive),
+            |cell| (scaled_jacobian(&corners(cell)), certify(&corners(cell))),
             |cell, attained| scaled_jacobian_bound(&corners(cell), attained),
         )
     }
@@ -34,7 +43,7 @@ impl CellProof {
     pub(super) fn of_patches(mesh: &BezierMesh, control: &Control) -> Result<Self, MeshError> {
         let at_points = |cell: usize| {
             let points = mesh.control(cell);
-            (scaled_jacobian_bezier(&points), certify_bezier(&points) == Jacobian::Positive)
+            (scaled_jacobian_bezier(&points), certify_bezier(&points))
         };
         Self::new(mesh.cells().len(), control, at_points, |cell, attained| {
             scaled_jacobian_bound_bezier(&mesh.control(cell), attained)
@@ -44,11 +53,11 @@ impl CellProof {
     fn new(
         count: usize,
         control: &Control,
-        at_points: impl Fn(usize) -> (f64, bool) + Sync,
+        at_points: impl Fn(usize) -> (f64, Jacobian) + Sync,
         bound: impl Fn(usize, f64) -> f64 + Sync,
     ) -> Result<Self, MeshError> {
         let going = |_: &usize| !control.is_stopped();
-        let found: Vec<(f64, bool)> = (0..count).into_par_iter().filter(going).map(&at_points).collect();
+        let found: Vec<(f64, Jacobian)> = (0..count).into_par_iter().filter(going).map(&at_points).collect();
         go_on(control)?;
         let values = found.iter().map(|(value, _)| *value).enumerate();
         let worst = values.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or(MeshError::NoCell)?;
@@ -56,9 +65,15 @@ impl CellProof {
         let bounds = (0..count).into_par_iter().filter(going).map(|cell| bound(cell, worst.1));
         let least = bounds.reduce(|| f64::INFINITY, |a, b| if a < b { a } else { b });
         go_on(control)?;
-        let unproven = found.iter().enumerate().filter(|(_, (_, is_proven))| !is_proven);
-        let mut unproven: Vec<(usize, f64)> = unproven.map(|(cell, (value, _))| (cell, *value)).collect();
-        unproven.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let unproven = found.iter().enumerate().filter(|(_, (_, proof))| *proof != Jacobian::Positive);
+        let mut unproven: Vec<Unproven> = unproven
+            .map(|(cell, &(at_points, proof))| Unproven {
+                cell,
+                at_points,
+                is_folded: proof == Jacobian::Folded,
+            })
+            .collect();
+        unproven.sort_by(|a, b| a.at_points.total_cmp(&b.at_points));
         Ok(Self { least, unproven, worst })
     }
 
@@ -73,14 +88,15 @@ impl CellProof {
         skeleton: Option<&Skeleton>,
         centre: impl Fn(usize) -> DVec3,
     ) -> Vec<UnprovenCell> {
-        let place = |&(cell, scaled_jacobian): &(usize, f64)| {
+        let place = |&Unproven { cell, at_points, is_folded }: &Unproven| {
             let centre = centre(cell);
             let samples = skeleton.map_or(&[][..], Skeleton::samples).iter();
             let square = |sample: &Sample| sample.position.distance_squared(centre);
             let nearest = samples.min_by(|a, b| square(a).total_cmp(&square(b)));
             UnprovenCell {
                 cell,
-                scaled_jacobian,
+                scaled_jacobian: at_points,
+                folded: is_folded,
                 centre: centre.to_array(),
                 sample: nearest.map(|sample| sample.id),
                 line: nearest.map(|sample| sample.line),

@@ -196,11 +196,11 @@ impl Finding<'_> {
 
 fn of_cells(report: &MeshReport, worst: &UnprovenCell) -> Problem {
     let place = (worst.sample.unwrap_or_default(), worst.line.unwrap_or_default());
-    let cells = match report.unproven.len() {
-        1 => "1 cell is".to_owned(),
-        n => format!("{n} cells are"),
-    };
-    let message = format!("{cells} not proven valid, with a scaled Jacobian of {:.3}", worst.scaled_jacobian);
+    let folded = report.folded();
+    let (count, what) =
+        if folded > 0 { (folded, "folded") } else { (report.unproven.len(), "not proven valid") };
+    let cells = if count == 1 { "1 cell is".to_owned() } else { format!("{count} cells are") };
+    let message = format!("{cells} {what}, with a scaled Jacobian of {:.3}", worst.scaled_jacobian);
     problem(ProblemKind::Cells, place, [worst.scaled_jacobian, 0.0], message)
 }
 

@@ -163,8 +163,10 @@ impl Report for NeuronReport {
         let has_problems = self.skeleton.as_ref().is_some_and(|skeleton| !skeleton.problems.is_empty());
         let wall = self.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref());
         let is_within = wall.map_or(Some(true), WallDistance::is_within);
+        let is_folded = self.mesh.as_ref().is_some_and(|mesh| mesh.folded() > 0);
         let is_undecided = self.is_check && self.meshable.is_none();
-        if (self.is_check && has_problems) || self.agrees == Some(false) || is_within == Some(false) {
+        let is_bad = is_folded || is_within == Some(false);
+        if (self.is_check && has_problems) || self.agrees == Some(false) || is_bad {
             Conclusion::Refuted
         } else if self.stop.is_early() || !is_certified || is_within.is_none() || is_undecided {
             Conclusion::Incomplete

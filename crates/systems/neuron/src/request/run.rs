@@ -151,7 +151,7 @@ impl Run<'_, '_> {
             }
             Stage::Transport => {
                 let mesh = self.hexahedra(&source)?;
-                if self.is_beyond() {
+                if self.is_refused() {
                     return Ok(());
                 }
                 self.transport(MaterialCells::Hexahedra(mesh))
@@ -236,10 +236,20 @@ impl Run<'_, '_> {
         Ok(())
     }
 
-    /// Whether the wall is proven to be farther from the cones than is tolerated, so that no stage follows the mesh; says so.
-    fn is_beyond(&mut self) -> bool {
-        let wall = self.answer.report.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref());
-        let Some(wall) = wall.filter(|wall| wall.is_within() == Some(false)) else { return false };
+    /// Whether cells are proven to be folded, or the wall to be farther from the cones than is tolerated, so that no stage follows the mesh; says so.
+    fn is_refused(&mut self) -> bool {
+        let Some(mesh) = &self.answer.report.mesh else { return false };
+        let folded = mesh.folded();
+        if folded > 0 {
+            let cells = if folded == 1 { "1 cell is".to_owned() } else { format!("{folded} cells are") };
+            let worst = mesh.unproven.iter().find(|cell| cell.folded).and_then(|cell| cell.sample);
+            let near = worst.map_or(String::new(), |sample| format!(", the worst near sample {sample}"));
+            self.answer.report.ended = Some(format!("ended after the mesh, of which {cells} folded{near}"));
+            return true;
+        }
+        let Some(wall) = mesh.wall.as_ref().filter(|wall| wall.is_within() == Some(false)) else {
+            return false;
+        };
         self.answer.report.ended = Some(format!(
             "ended after the mesh, whose wall is not within {} radii of the cones; --within {} accepts it",
             wall.within,
@@ -251,7 +261,7 @@ impl Run<'_, '_> {
     /// `None` if the mesh is not tolerated.
     fn flow(&mut self, source: &Prepared) -> Result<Option<Flow>, NeuronRequestError> {
         let mesh = self.patches(source)?;
-        if self.is_beyond() {
+        if self.is_refused() {
             return Ok(None);
         }
         let options = FlowOptions {

@@ -52,8 +52,9 @@ fn add_unproven(page: &mut Page, unproven: &[UnprovenCell]) {
     for (i, place) in unproven.iter().take(LISTED).enumerate() {
         let [x, y, z] = place.centre.map(few);
         let cell = grouped(place.cell as u64);
-        let mut row =
-            format!("cell {cell} at ({x}, {y}, {z}) µm: scaled Jacobian {:.3}", place.scaled_jacobian);
+        let what = if place.folded { "is folded" } else { "is not proven valid" };
+        let quality = place.scaled_jacobian;
+        let mut row = format!("cell {cell} at ({x}, {y}, {z}) µm {what}: scaled Jacobian {quality:.3}");
         if let (Some(line), Some(sample)) = (place.line, place.sample) {
             row = format!("line {line}: {row}, near sample {sample}");
         }
@@ -118,9 +119,11 @@ pub(super) fn text(path: &str, answer: &AnswerOf<Files>) -> String {
         Some(false) => "it cannot be meshed as asked".to_owned(),
         None => "whether it can be meshed is not decided".to_owned(),
     });
-    let of_cells = report.mesh.as_ref().map(|mesh| {
-        if mesh.certified { "every cell is proven valid" } else { "not every cell is proven valid" }
-            .to_owned()
+    let of_cells = report.mesh.as_ref().map(|mesh| match mesh.folded() {
+        _ if mesh.certified => "every cell is proven valid".to_owned(),
+        0 => "not every cell is proven valid".to_owned(),
+        1 => "1 cell is folded".to_owned(),
+        n => format!("{} cells are folded", number(n)),
     });
     let of_wall = verdict_on_wall(report.mesh.as_ref().and_then(|mesh| mesh.wall.as_ref()));
     let verdict = match (of_check.or(of_cells), of_skeleton) {
