@@ -111,6 +111,8 @@ impl<'a> Assembly<'a> {
     ) {
         let parts = self.parts;
         let layers = (places.len() - 1) / parts;
+        let evened = self.section.map(|_| evened(places));
+        let places = evened.as_deref().unwrap_or(places);
         let mut stations = stations(tube, places, first.map(|(_, _, side)| side));
         let last = last.map(|(inner, outer, side)| {
             let end = stations[stations.len() - 1];
@@ -164,7 +166,7 @@ impl<'a> Assembly<'a> {
                     self.positions.push(station.at(self.in_section(inner, outer)));
                 }
                 self.lattices.push(lattice);
-                self.blocks.push(number(index));
+                self.blocks.push(number(tube.branch));
             }
             below = above;
         }
@@ -219,6 +221,26 @@ impl<'a> Assembly<'a> {
         vertices.dedup();
         vertices
     }
+}
+
+/// Least derivative of the cubic through the places of a block, over its mean, from which on it is increasing enough.
+const INCREASING: f64 = 0.2;
+
+/// Places of sections, three steps per block, made equal in blocks where the cubic through them would turn back or nearly: where the radius changes
+/// fast, places that are equal in radii are not equal in length.
+fn evened(places: &[f64]) -> Vec<f64> {
+    let mut found = places.to_vec();
+    for start in (0..places.len().saturating_sub(3)).step_by(3) {
+        let control = interpolate(std::array::from_fn(|k| places[start + k]));
+        let length = control[3] - control[0];
+        let is_increasing = control.windows(2).all(|pair| 3.0 * (pair[1] - pair[0]) >= INCREASING * length);
+        if !is_increasing {
+            for k in [1, 2] {
+                found[start + k] = control[0] + length * k as f64 / 3.0;
+            }
+        }
+    }
+    found
 }
 
 /// The sections at control points along a tube, three steps per block, from the sections at thirds.

@@ -63,6 +63,8 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
             }
         }
         let mut changed = false;
+        // For each cluster the shortest tip without room: beside it, longer ones may have some.
+        let mut shortest: BTreeMap<usize, usize> = BTreeMap::new();
         for (index, tube) in tubes.iter().enumerate() {
             let arms = [true, false].map(|first| arm_of.get(&(index, first)).copied());
             let room = tube.length()
@@ -74,8 +76,11 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
                     leader.values_mut().filter(|l| **l == from).for_each(|l| *l = to);
                     changed = true;
                 }
-                [Some(_), None] | [None, Some(_)] if room < TIP_ROOM * radius => {
-                    dropped[index] = true;
+                [Some((c, _)), None] | [None, Some((c, _))] if room < TIP_ROOM * radius => {
+                    let least = shortest.entry(c).or_insert(index);
+                    if tube.length() < tubes[*least].length() {
+                        *least = index;
+                    }
                     changed = true;
                 }
                 // All samples of the tube lie at one place.
@@ -85,6 +90,9 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
                 }
                 _ => (),
             }
+        }
+        for index in shortest.into_values() {
+            dropped[index] = true;
         }
         if changed {
             continue;

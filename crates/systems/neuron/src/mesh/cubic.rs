@@ -2,9 +2,11 @@
 
 use super::assembly::{Assembly, NodeBlocks};
 use super::build::{Blocks, Cap, Effort, Parts, labels, mean, refuse_folded};
-use super::cubic_node::{CubicNode, bend};
+use super::cubic_node::{CubicNode, START, Unfolding, bend};
 use super::distance::{Net, Wanted, wall_distance};
 use super::linear::{Labelled, linear_shares};
+use super::node::mesh_node;
+use super::node_mesh::NodeMesh;
 use super::options::{MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
 use super::section::Section;
@@ -136,28 +138,23 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
     let section = Section::new();
     let parts =
         Parts::new(skeleton, options, (section.area_factor(), Blocks::Cubic), Effort::Best, &control)?;
-    let bent: Vec<Option<CubicNode>> = parts
-        .layout
-        .clusters
-        .par_iter()
-        .zip(&parts.layout.reach)
-        .zip(&parts.nodes)
-        .map(|((cluster, reach), node)| {
-            node.as_ref().filter(|_| !control.is_stopped()).map(|node| {
-                bend(cluster, (&parts.tubes, parts.factor), reach, node, (&section, options.within), &control)
-            })
-        })
-        .collect();
+    let indices = (0..parts.nodes.len()).into_par_iter();
+    let bent: Vec<Option<BentNode>> =
+        indices.map(|index| bent(&parts, index, (&section, options.within), &control)).collect();
     go_on(&control)?;
     let pairs = parts.layout.clusters.iter().zip(&bent);
-    refuse_folded(skeleton, pairs.filter_map(|(cluster, node)| Some((cluster, node.as_ref()?.quality))))?;
+    refuse_folded(
+        skeleton,
+        pairs.filter_map(|(cluster, node)| Some((cluster, node.as_ref()?.cells.quality))),
+    )?;
     let nodes: Vec<Option<NodeBlocks<'_>>> = parts
         .nodes
         .iter()
         .zip(&bent)
         .map(|(node, bent)| {
-            let (node, bent) = (node.as_ref()?, bent.as_ref()?);
-            Some(NodeBlocks { node, refinement: &bent.refinement, positions: &bent.points })
+            let bent = bent.as_ref()?;
+            let node = bent.other.as_ref().or(node.as_ref())?;
+            Some(NodeBlocks { node, refinement: &bent.cells.refinement, positions: &bent.cells.points })
         })
         .collect();
     let assembled = Assembly::new(3, Some(&section)).build(
@@ -171,6 +168,44 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
         return Err(MeshError::NoBranch);
     }
     finish(skeleton, &parts, assembled, (options, &control))
+}
+
+/// A node with tricubic cells.
+struct BentNode {
+    /// The complex that they fill, if it is not the usual one.
+    other: Option<NodeMesh>,
+    cells: CubicNode,
+}
+
+/// A node with tricubic cells; where they stay folded or their wall stays far from the cones, the better one of two: that of the usual complex, and
+/// that of a complex whose trilinear cells follow the cones.
+fn bent(
+    parts: &Parts,
+    index: usize,
+    (section, within): (&Section, f64),
+    control: &Control,
+) -> Option<BentNode> {
+    let node = parts.nodes[index].as_ref().filter(|_| !control.is_stopped())?;
+    let (cluster, reach) = (&parts.layout.clusters[index], &parts.layout.reach[index]);
+    let tubes = (&parts.tubes[..], parts.factor);
+    let bend = |node: &NodeMesh, unfolding| {
+        bend(cluster, tubes, reach, node, (section, within), (unfolding, control))
+    };
+    let mut best = BentNode { other: None, cells: bend(node, Unfolding::Little) };
+    if best.cells.is_good || control.is_stopped() {
+        return Some(best);
+    }
+    let following = mesh_node(cluster, tubes.0, reach, (START, Some(parts.factor)), control);
+    if let Some(node) = following.filter(|node| node.quality > 0.0) {
+        let cells = bend(&node, Unfolding::Much);
+        if cells.fitness > best.cells.fitness {
+            best = BentNode { other: Some(node), cells };
+        }
+    }
+    if best.cells.fitness == f64::NEG_INFINITY && !control.is_stopped() {
+        best = BentNode { other: None, cells: bend(node, Unfolding::Much) };
+    }
+    Some(best)
 }
 
 fn finish(

@@ -24,10 +24,22 @@ pub(super) struct CubicNode {
     pub(super) points: Vec<DVec3>,
     /// The least scaled Jacobian of its cells.
     pub(super) quality: f64,
+    /// How good it is; see [`Bent::fitness`].
+    pub(super) fitness: f64,
+    /// Whether every cell is proven to have a positive Jacobian, and the wall is near enough to the cones at points.
+    pub(super) is_good: bool,
 }
 
-/// Distance of the wall from the cones at points beyond which it is drawn to them, over what is tolerated: between the points it may be more.
-const CLOSE: f64 = 0.95;
+/// Distance of the wall from the cones at points beyond which it is drawn to them, over what is tolerated: between the points, and from the creases of
+/// the cones, it is up to a quarter more.
+const CLOSE: f64 = 0.75;
+
+/// How much is done to unfold cells that stay folded at first.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unfolding {
+    Little,
+    Much,
+}
 
 /// Parts per block of the initial trilinear mesh.
 pub(super) const START: usize = 2;
@@ -40,7 +52,7 @@ pub(super) fn bend(
     reach: &[f64],
     node: &NodeMesh,
     (section, within): (&Section, f64),
-    control: &Control,
+    (effort, control): (Unfolding, &Control),
 ) -> CubicNode {
     let wall = cluster.wall(tubes, reach);
     let scale = (-wall.distance(cluster.centre).0).max(0.3 * cluster.radius);
@@ -94,17 +106,23 @@ pub(super) fn bend(
     let draft =
         |table| Draft { energy: energy(table), wall: &wall, on_wall: &on_wall, free: &free, inner: &inner };
     let mut best: Option<Bent> = None;
-    for table in [&few, &many] {
+    let tables = if effort == Unfolding::Much { &[&few, &many][..] } else { &[&few] };
+    'tables: for table in tables {
         let draft = draft(table);
         draft.untangle(&mut positions);
-        draft.improve(0.0, &mut positions);
-        let found = measured(positions.clone());
-        let is_done = found.certified;
-        if is_done || best.is_none() {
-            best = Some(found);
-        }
-        if is_done {
-            break;
+        let untangled = positions.clone();
+        // Mean ratios keep derivatives from vanishing between the points, where nothing else would see it.
+        for even in [0.0, EVEN] {
+            positions.clone_from(&untangled);
+            draft.improve(even, &mut positions);
+            let found = measured(positions.clone());
+            let is_done = found.certified;
+            if is_done || best.is_none() {
+                best = Some(found);
+            }
+            if is_done {
+                break 'tables;
+            }
         }
     }
     // Between the points of cells it may be much less than at them.
@@ -114,9 +132,12 @@ pub(super) fn bend(
     };
     let mut best = proven(best.unwrap_or_else(|| measured(positions)));
     let measured = |positions| proven(measured(positions));
-    if (best.off > CLOSE * within || !best.certified) && !control.is_stopped() {
+    let is_given_up = !best.certified && effort == Unfolding::Little;
+    if is_given_up || control.is_stopped() {
+        // Another complex is tried first.
+    } else if best.off > CLOSE * within || !best.certified {
         best = follow(best, [&energy(&few), &energy(&many)], (&cones, &faces), measured);
-    } else if best.quality < EVEN_BELOW && !control.is_stopped() {
+    } else if best.quality < EVEN_BELOW {
         let mut positions = best.positions.clone();
         draft(&few).improve(EVEN, &mut positions);
         let found = measured(positions);
@@ -124,7 +145,8 @@ pub(super) fn bend(
             best = found;
         }
     }
-    CubicNode { refinement, points: best.points, quality: best.quality }
+    let is_good = best.certified && best.off <= CLOSE * within;
+    CubicNode { refinement, fitness: best.fitness(), points: best.points, quality: best.quality, is_good }
 }
 
 /// A lower bound on the scaled Jacobian over all cells.

@@ -14,6 +14,8 @@ pub(super) struct Tube {
     pub(super) samples: Vec<usize>,
     /// The samples at its ends.
     pub(super) nodes: [usize; 2],
+    /// The branch that it is a part of.
+    pub(super) branch: usize,
     axis: Axis,
     profile: Profile,
     /// The lengths at which its radius changes fast.
@@ -117,7 +119,7 @@ impl Tube {
         let axis = Axis::Smooth { curve, lengths };
         let nodes = ends(&samples);
         let (kinks, cones, starts) = (Vec::new(), Vec::new(), vec![0.0]);
-        let mut tube = Self { samples, nodes, axis, profile, kinks, cones, starts, moved };
+        let mut tube = Self { samples, nodes, branch: 0, axis, profile, kinks, cones, starts, moved };
         tube.kinks = tube.profile.kinks().into_iter().map(|l| tube.place(l)).collect();
         let corners: Vec<f64> = tube.profile.corners().into_iter().map(|l| tube.place(l)).collect();
         let mut corners = corners.into_iter().peekable();
@@ -150,7 +152,7 @@ impl Tube {
         let profile = Profile::new(profile, factor);
         let axis = Axis::Straight { points, lengths };
         let kinks = profile.kinks();
-        Self { samples, nodes, axis, profile, kinks, cones, starts, moved: 0.0 }
+        Self { samples, nodes, branch: 0, axis, profile, kinks, cones, starts, moved: 0.0 }
     }
 
     pub(super) fn length(&self) -> f64 {
@@ -358,7 +360,8 @@ fn tube(samples: Vec<usize>, through: &[(DVec3, f64)], factor: f64, is_moved: bo
     if moved <= WITHIN {
         return Tube::smooth(samples, &points, factor, 0.0);
     }
-    let straight = Tube::straight(samples, thinned(through), factor);
+    let corners = thinned(through).into_iter().map(|k| through[k]).collect();
+    let straight = Tube::straight(samples, corners, factor);
     let length = straight.length();
     let least = libm::cos(MOST_MITRE.to_radians());
     let is_slanted = |mitre: &Mitre| mitre.directions[0].dot(mitre.directions[1]) < least;
@@ -372,7 +375,7 @@ fn tube(samples: Vec<usize>, through: &[(DVec3, f64)], factor: f64, is_moved: bo
 const ON_SEGMENT: f64 = 0.02;
 
 /// The samples at which a polyline turns or its radius changes: sections at the others would only take room from these.
-fn thinned(points: &[(DVec3, f64)]) -> Vec<(DVec3, f64)> {
+fn thinned(points: &[(DVec3, f64)]) -> Vec<usize> {
     let mut kept = vec![false; points.len()];
     (kept[0], kept[points.len() - 1]) = (true, true);
     let mut parts = vec![(0, points.len() - 1)];
@@ -391,7 +394,30 @@ fn thinned(points: &[(DVec3, f64)]) -> Vec<(DVec3, f64)> {
             parts.extend([(from, k), (k, to)]);
         }
     }
-    points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
+    (0..points.len()).filter(|k| kept[*k]).collect()
+}
+
+/// Distance of the axis from the samples beyond which a branch is divided rather than moved, over the radius.
+const MOST_MOVED: f64 = 0.2;
+
+/// Least length of the two segments at a sample at which a branch is divided, in radii.
+const DIVIDED_ROOM: f64 = 1.0;
+
+/// The samples at which a branch turns too sharply for a mitre, though it is long on both sides: there it is divided, so that they are nodes.
+fn folds(points: &[(DVec3, f64)]) -> Vec<usize> {
+    let mut relaxed = points.to_vec();
+    relax(&mut relaxed);
+    if deviation(&relaxed, points) <= MOST_MOVED {
+        return Vec::new();
+    }
+    let least = libm::cos(MOST_MITRE.to_radians());
+    let is_fold = |triple: &&[usize]| {
+        let [a, b, c] = [points[triple[0]], points[triple[1]], points[triple[2]]];
+        let (before, after) = (b.0 - a.0, c.0 - b.0);
+        let is_sharp = before.normalize_or_zero().dot(after.normalize_or_zero()) < least;
+        is_sharp && before.length().min(after.length()) >= DIVIDED_ROOM * b.1
+    };
+    thinned(points).windows(3).filter(is_fold).map(|triple| triple[1]).collect()
 }
 
 /// The first sample and the last.
@@ -464,7 +490,6 @@ pub(super) fn is_ball(skeleton: &Skeleton, sample: usize) -> bool {
 ///
 /// Radii are multiplied by a factor. The samples of tubes for which `is_moved` is set are moved where the tube turns.
 pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<Tube> {
-    let samples = skeleton.samples();
     let mut paths = skeleton.branches();
     // A root with two neighbours is a node only if it is a ball.
     for root in skeleton.roots().filter(|&root| skeleton.degree(root) == 2 && !is_ball(skeleton, root)) {
@@ -477,26 +502,54 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<
             }
         }
     }
-    paths
-        .into_iter()
+    let parts = paths.into_iter().enumerate().flat_map(|(branch, path)| {
+        let points = balls(skeleton, &path, factor);
+        divided(&path, &points).into_iter().map(move |part| (branch, part))
+    });
+    let is_moved = |index: usize| is_moved.get(index).is_some_and(|is| *is);
+    parts
         .enumerate()
-        .map(|(index, path)| {
-            let last = path.len() - 1;
-            let mut points: Vec<(DVec3, f64)> =
-                path.iter().map(|&i| (samples[i].position, factor * samples[i].radius)).collect();
-            if is_ball(skeleton, path[0]) {
-                points[0].1 = points[1.min(last)].1;
-            }
-            if is_ball(skeleton, path[last]) {
-                points[last].1 = points[last.saturating_sub(1)].1;
-            }
-            points.dedup_by(|b, a| a.0 == b.0);
-            if points.len() < 2 {
-                points.push(points[0]);
-            }
-            tube(path, &points, factor, is_moved.get(index).is_some_and(|is| *is))
+        .map(|(index, (branch, (path, points)))| Tube {
+            branch,
+            ..tube(path, &points, factor, is_moved(index))
         })
         .collect()
+}
+
+/// The balls of a path; those at its ends have the radius of the neighbour where they lie in a soma.
+fn balls(skeleton: &Skeleton, path: &[usize], factor: f64) -> Vec<(DVec3, f64)> {
+    let (samples, last) = (skeleton.samples(), path.len() - 1);
+    let mut points: Vec<(DVec3, f64)> =
+        path.iter().map(|&i| (samples[i].position, factor * samples[i].radius)).collect();
+    if is_ball(skeleton, path[0]) {
+        points[0].1 = points[1.min(last)].1;
+    }
+    if is_ball(skeleton, path[last]) {
+        points[last].1 = points[last.saturating_sub(1)].1;
+    }
+    points
+}
+
+/// A path and its balls.
+type Part = (Vec<usize>, Vec<(DVec3, f64)>);
+
+/// The parts of a path between its folds, without balls at the place of the one before.
+fn divided(path: &[usize], balls: &[(DVec3, f64)]) -> Vec<Part> {
+    let mut kept: Vec<usize> = (0..path.len()).collect();
+    kept.dedup_by(|b, a| balls[*a].0 == balls[*b].0);
+    let points: Vec<(DVec3, f64)> = kept.iter().map(|k| balls[*k]).collect();
+    if points.len() < 2 {
+        return vec![(path.to_vec(), vec![points[0]; 2])];
+    }
+    let mut ends = vec![0];
+    ends.extend(folds(&points));
+    ends.push(points.len() - 1);
+    let part = |pair: &[usize]| {
+        let [a, b] = [pair[0], pair[1]];
+        let last = if b + 1 == points.len() { path.len() - 1 } else { kept[b] };
+        (path[kept[a]..=last].to_vec(), points[a..=b].to_vec())
+    };
+    ends.windows(2).map(part).collect()
 }
 
 /// Largest number of smoothing steps.

@@ -16,9 +16,11 @@ fn check(text: &str) -> Meshability {
     meshability(&skeleton(text), &MeshOptions::default()).unwrap()
 }
 
-/// Turns that nothing follows, a twig within its node, branches that cross, narrow angles, no radius, and points only.
-const HARD: [(&str, ProblemKind, i64); 6] = [
-    ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n", ProblemKind::SharpTurn, 2),
+/// Turns that nothing follows, a branch that turns back into itself, a twig within its node, branches that cross, narrow angles, no radius, and
+/// points only.
+const HARD: [(&str, ProblemKind, i64); 7] = [
+    ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 6 1.2 0 1 2\n4 2 12 1.2 0 1 3\n", ProblemKind::SharpTurn, 3),
+    ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n", ProblemKind::TooShort, 3),
     ("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 0 0 1 2\n4 2 8 1.45 0 0.6 2\n", ProblemKind::TooShort, 4),
     (
         "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 10 10 0 1 2\n4 2 5 10 0 1 3\n5 2 5 -6 0.5 1 4\n",

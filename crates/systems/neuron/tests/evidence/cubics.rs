@@ -51,6 +51,28 @@ fn furcations_are_certified_and_conform() {
 }
 
 #[test]
+fn narrow_furcations_do_not_fold() {
+    // A branch half as thick at 30° from its parent: the cells of the usual complex fold between the points where shape is measured.
+    let text = "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 20 0 0 1 2\n4 2 18.660254 5 0 0.5 2\n";
+    let found = cubic(text, &MeshOptions::default()).report;
+    assert!(found.min_scaled_jacobian > 0.3, "{found:?}");
+    assert_eq!(found.wall.unwrap().is_within(), Some(true));
+}
+
+#[test]
+fn tubes_do_not_fold_where_the_radius_jumps() {
+    // A ball four times as wide as its neighbours, nearer to them than its radius.
+    let line = |i: i32| {
+        let radius = if i == 6 { 4.0 } else { 1.0 };
+        format!("{i} 2 {} 0 0 {radius} {}\n", 2 * i, if i == 1 { -1 } else { i - 1 })
+    };
+    let text: String = (1..12).map(line).collect();
+    let found = cubic(&text, &MeshOptions::default()).report;
+    assert!(found.min_scaled_jacobian > 0.3, "{found:?}");
+    assert_eq!(found.wall.unwrap().is_within(), Some(true));
+}
+
+#[test]
 fn splines_are_refined_at_nodes_ends_walls_branches_and_samples() {
     let mesh = &*FORKED;
     let skeleton = Skeleton::new(&read_swc(FORK.as_bytes()).unwrap()).unwrap();

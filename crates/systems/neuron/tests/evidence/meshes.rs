@@ -229,9 +229,35 @@ fn turns_are_followed() {
         let wall = found.report.wall.unwrap();
         assert_eq!(wall.is_within(), Some(true), "{degrees}°: {wall:?}");
     }
-    // Turned back on itself: no section is between, and that is said.
-    let back = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.4 0 1 2\n4 2 -6 0.4 0 1 3\n";
-    assert_eq!(mesh(back, &quick()).report.moved.len(), 1);
+    // Two turns between which there is no room for sections, and that is said.
+    let step = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 6 1.2 0 1 2\n4 2 12 1.2 0 1 3\n";
+    assert_eq!(mesh(step, &quick()).report.moved.len(), 1);
+}
+
+#[test]
+fn branches_that_turn_back_are_divided() {
+    for degrees in [130.0, 150.0_f64] {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let text =
+            format!("1 2 0 0 0 1 -1\n2 2 12 0 0 1 1\n3 2 {} {} 0 1 2\n", 12.0 + 12.0 * cosine, 12.0 * sine);
+        let skeleton = skeleton(&text);
+        let options = MeshOptions::default();
+        let [linear, cubic] = [
+            mesh_neuron(&skeleton, &options).unwrap().report,
+            cubic_neuron(&skeleton, &options).unwrap().report,
+        ];
+        for report in [linear, cubic] {
+            assert!(report.certified && report.moved.is_empty(), "{degrees}°: {report:?}");
+            let wall = report.wall.unwrap();
+            assert_eq!(wall.is_within(), Some(true), "{degrees}°: {wall:?}");
+        }
+        // Both parts are the same branch.
+        let found = mesh_neuron(&skeleton, &quick()).unwrap();
+        assert!(found.parts.iter().all(|part| [-1, 0].contains(part)), "{degrees}°");
+    }
+    // Back on itself: the part that ends within the other is left out, and that is said.
+    let back = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.4 0 1 2\n";
+    assert_eq!(mesh(back, &quick()).report.left_out.len(), 1);
 }
 
 /// A bend of radius 1 in a tube of radius 2.

@@ -222,7 +222,7 @@ fn what_is_tolerated_is_decided() {
         assert!(wall.sufficient() >= wall.in_radii()[1]);
     }
     let back = mesh_neuron(&skeleton(BACK), &MeshOptions::default()).unwrap().report.wall.unwrap();
-    assert_eq!((back.beyond[0].sample, back.beyond[0].line), (2, 2), "{back:?}");
+    assert_eq!((back.beyond[0].sample, back.beyond[0].line), (3, 3), "{back:?}");
 }
 
 /// A branch that forks into two at this angle in degrees, with samples a radius apart.
