@@ -56,19 +56,77 @@ impl Quadric {
     /// Eigenvalues below [`FLAT`] times the largest count as zero, so that a flat or straight place does not move the point
     /// along itself.
     pub(crate) fn optimum(&self, near: DVec3) -> DVec3 {
-        let matrix = self.matrix();
-        let (values, vectors) = eigen(matrix);
-        let largest = values.iter().copied().fold(0.0, |m: f64, x| if x > m { x } else { m });
         // The residual at `near`, solved in the directions that matter.
-        let residual = matrix * near + self.b;
-        let mut p = near;
-        for (value, axis) in values.into_iter().zip(vectors) {
-            if value > FLAT * largest {
-                p -= axis * (axis.dot(residual) / value);
-            }
-        }
-        p
+        let residual = times(self.a, near) + self.b;
+        near - solved(self.a, residual).unwrap_or_else(|| solved_by_axes(self.matrix(), residual))
     }
+}
+
+/// A symmetric matrix times a vector.
+fn times([xx, xy, xz, yy, yz, zz]: DMat3Symmetric, v: DVec3) -> DVec3 {
+    DVec3::new(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z)
+}
+
+/// The solution of least length of a system whose eigenvalues below [`FLAT`] times the largest count as zero, from its axes.
+fn solved_by_axes(matrix: DMat3, residual: DVec3) -> DVec3 {
+    let (values, vectors) = eigen(matrix);
+    let largest = values.iter().copied().fold(0.0, |m: f64, x| if x > m { x } else { m });
+    let mut solution = DVec3::ZERO;
+    for (value, axis) in values.into_iter().zip(vectors) {
+        if value > FLAT * largest {
+            solution += axis * (axis.dot(residual) / value);
+        }
+    }
+    solution
+}
+
+/// The second eigenvalue is taken to count where it is at least this many times [`FLAT`] of the largest: it is far from the third one then.
+const SURELY: f64 = 4.0;
+
+/// The same as [`solved_by_axes`], where the number of eigenvalues that count is seen from the coefficients of the characteristic
+/// polynomial; none where it is not.
+///
+/// With eigenvalues p ≥ q ≥ r, the projection onto the axis of p is (A − q)(A − r) over (p − q)(p − r), by the theorem of Cayley and
+/// Hamilton (adj A + p (A − q − r)) over the same, and so on for the others. On the plane of the first two axes the inverse of A is
+/// (p + q − A) over p q.
+fn solved(a: DMat3Symmetric, residual: DVec3) -> Option<DVec3> {
+    let [xx, xy, xz, yy, yz, zz] = a;
+    let adjugate = [
+        yy * zz - yz * yz,
+        xz * yz - xy * zz,
+        xy * yz - xz * yy,
+        xx * zz - xz * xz,
+        xy * xz - xx * yz,
+        xx * yy - xy * xy,
+    ];
+    let trace = xx + yy + zz;
+    let minors = adjugate[0] + adjugate[3] + adjugate[5];
+    let determinant = xx * adjugate[0] + xy * adjugate[1] + xz * adjugate[2];
+    // p q r over the sum of p q, p r and q r is at most r, and the trace at least p.
+    if determinant > FLAT * trace * minors {
+        return Some(times(adjugate, residual) / determinant);
+    }
+    // q + r is at most about that sum over the trace.
+    let is_flat = minors <= 0.9 * FLAT * trace * trace;
+    let mut root = if is_flat { trace } else { 0.0 };
+    for _ in 0..MOST_STEPS {
+        let value = ((root - trace) * root + minors) * root - determinant;
+        let step = value / ((3.0 * root - 2.0 * trace) * root + minors);
+        root -= step;
+        if step.abs() <= CLOSE * trace {
+            break;
+        }
+    }
+    let others = trace - root;
+    let product = minors - root * others;
+    let apart = root * (root - others) + product;
+    let along = (times(adjugate, residual) + root * (times(a, residual) - others * residual)) / apart;
+    if is_flat {
+        return (apart > 0.0).then(|| along / root);
+    }
+    let is_clear = root <= 0.5 * FLAT * others && product >= SURELY * FLAT * others * others;
+    let across = residual - along;
+    is_clear.then(|| (others * across - times(a, across)) / product)
 }
 
 /// Squares of entries beside the diagonal count as zero below this part of the squared trace.
@@ -85,6 +143,9 @@ pub(crate) fn eigenvalues(upper: [f64; 6]) -> [f64; 3] {
 /// Largest eigenvalues are computed alone where the product of their distances from both others is at least this part of the squared
 /// trace: the eigenvector is accurate to about the precision of a double divided by it.
 const SEPARATE: f64 = 1e-2;
+
+/// Roots are close enough to an eigenvalue after a step that is smaller than this part of the trace: the next one would be its square.
+const CLOSE: f64 = 1e-9;
 
 /// Steps of Newton's method for an eigenvalue. They come from above and converge quadratically beside others that are [`SEPARATE`].
 const MOST_STEPS: usize = 12;
@@ -230,5 +291,31 @@ mod tests {
             }
         }
         assert!((1000..2000).contains(&alone), "{alone}");
+    }
+
+    /// Where eigenvectors are not computed the solution is the same.
+    #[test]
+    fn systems_are_solved_as_by_their_axes() {
+        let mut random = Random::new(11);
+        let mut next = || f64::from(random.below(1 << 20)) / f64::from(1 << 20) - 0.5;
+        let mut by_count = [0; 4];
+        for case in 0..4000 {
+            let spread = 4.0 * 0.8_f64.powi(case % 40);
+            let across = 0.7_f64.powi(case / 40 % 20);
+            let q = (0..6).fold(Quadric::default(), |q, _| {
+                let normal = DVec3::Z + spread * DVec3::new(next(), across * next(), next() * 0.1);
+                q.plus(&Quadric::of_plane(normal.normalize(), DVec3::ZERO, 0.6 + next()))
+            });
+            let residual = DVec3::new(next(), next(), next());
+            let values = eigen(q.matrix()).0;
+            let count = values.iter().filter(|v| **v > FLAT * q.weight()).count();
+            let Some(found) = solved(q.a, residual) else { continue };
+            by_count[count] += 1;
+            let expected = solved_by_axes(q.matrix(), residual);
+            let error = (found - expected).length();
+            assert!(error < 1e-9 * expected.length(), "{case}: {found} {expected} {values:?}");
+        }
+        assert!(by_count[0] == 0 && by_count[1..].iter().all(|n| *n > 300), "{by_count:?}");
+        assert_eq!(solved([0.0; 6], DVec3::X), None);
     }
 }
