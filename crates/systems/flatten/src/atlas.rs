@@ -33,6 +33,9 @@ const MISJUDGED: f64 = 4.0;
 const CLOSINGS: usize = 3;
 const CLOSED_TO: f64 = 0.7;
 
+/// Share of the time in which short seams are looked for: what is left is for charts without them, where none are found.
+const TIME_FOR_SEAMS: f64 = 0.4;
+
 /// Seams along creases are taken at once where they are no longer than this many times a cut that only makes a disk; and in place of parts
 /// that are divided one after the other where there are more faces than these, for that takes long.
 const SHORT: f64 = 1.25;
@@ -114,6 +117,7 @@ pub(crate) fn with_short_seams(
 ) -> Result<Option<Atlas>, FlattenError> {
     let (Charts::Auto, Some(enough)) = (options.charts, options.enough()) else { return Ok(None) };
     let whole = surface.surface();
+    let watch = &watch.for_share(TIME_FOR_SEAMS);
     let mut seams = EdgeData::filled(whole.mesh().edges(), false);
     for part in parts {
         let first = first_cut(part, &part.options(&options.cut)).map_err(|error| in_whole(error, part))?;
@@ -200,9 +204,12 @@ impl Seamed<'_, '_, '_> {
         let mut next = Some(seams);
         for attempt in 0..ATTEMPTS {
             let Some(seams) = next.filter(|seams| seam_length(whole, seams) < longest) else { break };
+            if watch.is_stopped() {
+                break;
+            }
             let pieces = self.mapped(&seams)?;
             let reached = mean_excess(&pieces);
-            if reached <= allowed || watch.is_stopped() {
+            if reached <= allowed {
                 best = Some((seams, pieces));
                 break;
             }
@@ -220,6 +227,9 @@ impl Seamed<'_, '_, '_> {
             && !watch.is_stopped()
         {
             for seams in growing.completed(seams, *reached, allowed, seam_length(whole, found), watch)? {
+                if watch.is_stopped() {
+                    break;
+                }
                 let pieces = self.mapped(&seams)?;
                 if mean_excess(&pieces) <= allowed {
                     best = Some((seams, pieces));
@@ -255,11 +265,19 @@ pub(crate) fn divided(
             pieces[worst].is_divisible = false;
             continue;
         };
+        if watch.is_stopped() {
+            break;
+        }
         let flattened = |part: Component| {
             let chart = flatten_component(&part, None, options, watch)?;
             Ok(Piece::new(part, chart))
         };
         let new: Vec<Piece> = parts.into_par_iter().map(flattened).collect::<Result<_, FlattenError>>()?;
+        // Maps that time did not suffice for may distort more than what they would replace.
+        let is_less = new.iter().map(Piece::excess).sum::<f64>() < pieces[worst].excess();
+        if watch.is_stopped() && !is_less {
+            break;
+        }
         pieces.swap_remove(worst);
         pieces.extend(new);
     }

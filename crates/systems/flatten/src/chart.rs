@@ -20,6 +20,11 @@ use pompeiu_surface::plane::{Vec2, scale};
 /// Newton steps for a map that only decides where to cut next.
 const STEPS_BETWEEN_CUTS: usize = 12;
 
+/// Share of the time left in which cuts are added, and share of the rest for a map that may cross itself: what is left is for one that may
+/// not.
+const TIME_FOR_CUTS: f64 = 0.5;
+const TIME_UNGUARDED: f64 = 0.4;
+
 /// Tolerances of the predicted decrease of a Newton step, relative to the distortion: between cuts, and at the end.
 const ROUGH: f64 = 2e-2;
 const FINE: f64 = 4e-3;
@@ -143,6 +148,7 @@ impl Search<'_, '_, '_> {
         let adds_cuts = self.options.cut.strategy == CutStrategy::Auto;
         let most_cuts = if adds_cuts { self.options.most_cuts } else { 0 };
         let target = self.options.chart_target();
+        let cutting = self.watch.for_share(TIME_FOR_CUTS);
         let mut descender = self.descender()?;
         let mut begin = Some(self.start()?);
         let mut uv = begin.as_ref().map_or_else(Vec::new, |begin| begin.uv.to_vec());
@@ -157,8 +163,8 @@ impl Search<'_, '_, '_> {
                     is_guarded: false,
                 };
                 let energy;
-                (energy, uv) = self.descend(&descender, uv, &rough)?;
-                if energy > target && self.add_cuts(most_cuts, &mut uv)? {
+                (energy, uv) = self.descend(&descender, uv, &rough, &cutting)?;
+                if energy > target && self.add_cuts(most_cuts, &mut uv, &cutting)? {
                     (descender, begin) = (self.descender()?, None);
                     continue;
                 }
@@ -172,18 +178,21 @@ impl Search<'_, '_, '_> {
             };
             let mut found = None;
             if most_cuts > 0 && descender.is_simple(&uv) {
-                found = Some(self.descend(&descender, uv, &fine)?).filter(|(_, uv)| descender.is_clear(uv));
+                let unguarded = self.watch.for_share(TIME_UNGUARDED);
+                found = Some(self.descend(&descender, uv, &fine, &unguarded)?)
+                    .filter(|(_, uv)| descender.is_clear(uv));
             }
             let found = if let Some(found) = found {
                 found
             } else {
                 let begin = begin.take().map_or_else(|| self.start(), Ok)?;
-                self.descend(&descender, begin.uv.into_vec(), &Descent { is_guarded: true, ..fine })?
+                let guarded = Descent { is_guarded: true, ..fine };
+                self.descend(&descender, begin.uv.into_vec(), &guarded, self.watch)?
             };
             let energy;
             (energy, uv) = found;
             let before = self.settled(&descender, uv.clone())?;
-            if energy <= target || !self.add_cuts(most_cuts, &mut uv)? {
+            if energy <= target || !self.add_cuts(most_cuts, &mut uv, &cutting)? {
                 let Self { cut, disk, rounds, steps, timing, .. } = self;
                 let weights = Weights::MeanValue;
                 let misses_target = adds_cuts && energy > target;
@@ -209,12 +218,12 @@ impl Search<'_, '_, '_> {
     }
 
     /// Doubles the number of cuts, up to `most`, or adds one where charts are divided. Returns whether any was added.
-    fn add_cuts(&mut self, most: usize, uv: &mut Vec<Vec2>) -> Result<bool, FlattenError> {
+    fn add_cuts(&mut self, most: usize, uv: &mut Vec<Vec2>, watch: &Watch<'_>) -> Result<bool, FlattenError> {
         let began = Instant::now();
         // Where charts are divided as well, seams are to be short: one cut at a time.
         let growth = if self.options.charts == Charts::Components { self.cuts } else { 1 };
         let count = most.saturating_sub(self.cuts).min(growth.max(1));
-        if count == 0 || self.watch.is_stopped() {
+        if count == 0 || watch.is_stopped() {
             return Ok(false);
         }
         let of_component = self.component.options(&self.options.cut);
@@ -254,9 +263,10 @@ impl Search<'_, '_, '_> {
         descender: &Descender,
         uv: Vec<Vec2>,
         descent: &Descent,
+        watch: &Watch<'_>,
     ) -> Result<(f64, Vec<Vec2>), FlattenError> {
         let began = Instant::now();
-        let found = descender.descend(uv, descent, self.watch)?;
+        let found = descender.descend(uv, descent, watch)?;
         self.steps += found.steps;
         self.timing.factor += found.factor;
         self.timing.solve += began.elapsed().saturating_sub(found.factor);

@@ -111,7 +111,8 @@ fn run(
         Some(cut) if plane.is_none() => disks(surface, cut)?,
         _ => split(surface, plane)?,
     };
-    let watch = Watch::new(control, options.progress, parts.len());
+    let watch =
+        Watch::new(control, options.progress, parts.len()).within(&options.limits, began, mesh.faces());
     let one = |part: &Component| {
         let edges = requested.as_ref().map(|cut| match plane {
             Some(_) => part.restricted(mesh, cut),
@@ -171,7 +172,7 @@ fn run(
     result.report.stop = control.reason().unwrap_or(
         // The target is a bound on the energy that all cuts and charts allowed did not reach.
         if misses_target(options, &charts, &result.report) {
-            StopReason::Steps
+            if watch.was_cut_short() { StopReason::Time } else { StopReason::Steps }
         } else {
             StopReason::Tolerance
         },

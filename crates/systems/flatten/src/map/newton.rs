@@ -176,8 +176,12 @@ impl Descender {
         let mut guard: Option<(Scaffold, System, usize)> = None;
         let mut x = start;
         let mut energy = self.faces.value(&x);
-        let (mut steps, mut factor) = (0, Duration::ZERO);
-        while steps < descent.steps && energy > descent.enough && !watch.is_stopped() {
+        let (mut steps, mut factor, mut last) = (0, Duration::ZERO, Duration::ZERO);
+        while steps < descent.steps
+            && energy > descent.enough
+            && !watch.is_stopped()
+            && !watch.is_over_after(last)
+        {
             steps += 1;
             let began = Instant::now();
             let mut places = x.clone();
@@ -237,6 +241,7 @@ impl Descender {
             candidate.truncate(self.vertices);
             x = candidate;
             energy = self.faces.value(&x);
+            last = began.elapsed();
             let is_least = decrease <= descent.tolerance * (energy - 4.0);
             if (is_least && !crosses) || decrease <= f64::EPSILON * f64::EPSILON {
                 break;
