@@ -3,7 +3,7 @@
 use crate::chart::{Chart, flatten_component};
 use crate::components::{Component, in_whole};
 use crate::creases::seams_along_creases;
-use crate::cut::first_cut;
+use crate::cut::{CutError, first_cut};
 use crate::distortion::Distortion;
 use crate::divide::divide;
 use crate::opened::disks;
@@ -154,11 +154,11 @@ impl Seamed<'_, '_, '_> {
         disks(self.surface, seams)?.into_par_iter().map(one).collect()
     }
 
-    /// The same; none where one of the charts has faces that are too crowded on a circle.
+    /// The same; none where one of the charts has faces that are too crowded on a circle, or one edge alone is a seam, which opens nothing.
     fn mapped_if_possible(&self, seams: &EdgeData<bool>) -> Result<Option<Vec<Piece>>, FlattenError> {
         match self.mapped(seams) {
             Ok(pieces) => Ok(Some(pieces)),
-            Err(FlattenError::Crowded { .. }) => Ok(None),
+            Err(FlattenError::Crowded { .. } | FlattenError::Cut(CutError::SingleEdge { .. })) => Ok(None),
             Err(error) => Err(error),
         }
     }
@@ -207,7 +207,7 @@ impl Seamed<'_, '_, '_> {
             if watch.is_stopped() {
                 break;
             }
-            let pieces = self.mapped(&seams)?;
+            let Some(pieces) = self.mapped_if_possible(&seams)? else { break };
             let reached = mean_excess(&pieces);
             if reached <= allowed {
                 best = Some((seams, pieces));
@@ -230,7 +230,7 @@ impl Seamed<'_, '_, '_> {
                 if watch.is_stopped() {
                     break;
                 }
-                let pieces = self.mapped(&seams)?;
+                let Some(pieces) = self.mapped_if_possible(&seams)? else { continue };
                 if mean_excess(&pieces) <= allowed {
                     best = Some((seams, pieces));
                     break;

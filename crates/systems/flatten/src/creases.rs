@@ -14,8 +14,11 @@ use pompeiu_surface::{EdgeData, EdgeId, EmbeddedSurface};
 /// 12 are.
 const CREASE: f64 = 35.0;
 
-/// Regions between creases at most, as a share of the faces: where there are more, creases are roughness.
+/// Regions between creases at most, as a share of the faces: where there are more, creases are roughness. Up to so many may be a greater share
+/// if fewer than one in [`FEW_ALONE`] is one face, as the flanks of the teeth of a gear are, of two faces each; and so few any.
 const MOST_REGIONS: f64 = 0.05;
+const SOME_REGIONS: (usize, f64) = (1024, 0.15);
+const FEW_ALONE: usize = 10;
 const FEW_REGIONS: usize = 8;
 
 /// The edges between regions that no crease divides, with what makes disks of these; none where creases bound no regions, or too many.
@@ -37,9 +40,17 @@ pub(crate) fn seams_along_creases(
             regions.union(f.index(), g.index());
         }
     }
-    let count = (0..mesh.faces()).filter(|&f| regions.find(f) == f).count();
-    let most = (MOST_REGIONS * mesh.faces() as f64) as usize;
-    if count <= mesh.components() || count > most.max(FEW_REGIONS) {
+    let mut sizes = vec![0_usize; mesh.faces()];
+    for f in 0..mesh.faces() {
+        sizes[regions.find(f)] += 1;
+    }
+    let count = sizes.iter().filter(|size| **size > 0).count();
+    let alone = sizes.iter().filter(|size| **size == 1).count();
+    let share = |share: f64| (share * mesh.faces() as f64) as usize;
+    let some =
+        if FEW_ALONE * alone < count { share(SOME_REGIONS.1).min(SOME_REGIONS.0) } else { FEW_REGIONS };
+    let most = share(MOST_REGIONS).max(some).max(FEW_REGIONS);
+    if count <= mesh.components() || count > most {
         return Ok(None);
     }
     let mut seams = EdgeData::filled(mesh.edges(), false);

@@ -220,3 +220,48 @@ fn both_sides_of_a_cut_through_a_flat_part_stay_apart() {
     check(&flat);
     assert_eq!(flat.report.charts, 24);
 }
+
+/// A gear of so many sides, four to each tooth and each gap, of this height.
+fn gear(sides: u32, height: f64) -> TriMesh {
+    let at = |i: u32| {
+        let angle = f64::from(i) * std::f64::consts::TAU / f64::from(sides);
+        let radius = if (i / 4).is_multiple_of(2) { 1.15 } else { 1.0 };
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    let ring = |z: f64| (0..sides).map(move |i| [at(i)[0], at(i)[1], z]);
+    let ends = [[0.0, 0.0, 0.0], [0.0, 0.0, height]];
+    let positions = ring(0.0).chain(ring(height)).chain(ends).collect();
+    let faces = (0..sides).flat_map(|i| {
+        let j = (i + 1) % sides;
+        let [k, l] = [i + sides, j + sides];
+        [[i, j, l], [i, l, k], [j, i, 2 * sides], [k, l, 2 * sides + 1]]
+    });
+    TriMesh::new(positions, faces.collect()).unwrap()
+}
+
+/// Its flanks form one strip, which joins both ends: only their rims are seams, but for an edge of each. The cut that makes a disk of it, from
+/// which seams would grow, is so long that the disk is too crowded on a circle.
+#[test]
+fn a_gear_is_divided_along_its_rims() {
+    let (sides, height) = (256, 0.3);
+    let gear = gear(sides, height);
+    let flat = flatten(&surface(&gear), &auto(4.1)).unwrap();
+    check(&flat);
+    let side = |i: usize| {
+        let [p, q] = [i, (i + 1) % sides as usize].map(|i| gear.positions()[i]);
+        libm::hypot(p[0] - q[0], p[1] - q[1])
+    };
+    let rim: f64 = (0..sides as usize).map(side).sum();
+    let (report, area) = (&flat.report, surface(&gear).surface().area());
+    assert!(
+        report.distortion.symmetric_dirichlet.mean < 4.1,
+        "{}",
+        report.distortion.symmetric_dirichlet.mean
+    );
+    let length = report.cut.relative_length * area.sqrt();
+    assert!(
+        report.charts <= 3 && length < 2.0 * rim + 1.1 * height,
+        "{} charts, {length} of {rim}",
+        report.charts
+    );
+}
