@@ -1,7 +1,9 @@
 //! Remeshes with a share of the mean edge length:
-//! `cargo run --release --example remesh -- MESH SHARE [within=SHARE] [features=ANGLE] [adaptive=SHARE]`, shares of the diagonal.
+//! `cargo run --release --example remesh -- MESH SHARE [within=SHARE] [features=ANGLE] [adaptive=SHARE] [seconds=LIMIT]`, shares of the
+//! diagonal.
 
 use pompeiu_core::geom::Aabb;
+use pompeiu_core::run::Limits;
 use pompeiu_remesh::{Features, Intersections, Quality, RemeshOptions, Sizing, remesh};
 use std::time::Instant;
 
@@ -9,7 +11,10 @@ use std::time::Instant;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [file, share, further @ ..] = &arguments[..] else {
-        return Err("usage: remesh MESH SHARE [within=SHARE] [features=ANGLE] [adaptive=SHARE]".into());
+        return Err(
+            "usage: remesh MESH SHARE [within=SHARE] [features=ANGLE] [adaptive=SHARE] [seconds=LIMIT]"
+                .into(),
+        );
     };
     let mesh = pompeiu_io::read_mesh(file)?;
     let diagonal = Aabb::of_faces(&mesh).diagonal();
@@ -21,6 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let value: f64 = value.parse()?;
         match name {
             "within" => options.within = Some(value * diagonal),
+            "seconds" => options.limits.time = Some(Limits::seconds(value)?),
             "features" => options.features = Features { angle: Some(value), ..Features::default() },
             "adaptive" => {
                 let between = [1e-4, 0.1].map(|share| share * diagonal);

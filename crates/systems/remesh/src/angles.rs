@@ -31,6 +31,9 @@ impl Local<'_> {
             small.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
             let mut done = 0;
             for (_, f) in small {
+                if self.is_stopped() {
+                    return;
+                }
                 let is_small = |s: &Self| s.surface.mesh.exists(3 * f) && sine(&s.surface.triangle(f)) < goal;
                 done += usize::from(is_small(self) && self.raise_angle(f, share));
             }

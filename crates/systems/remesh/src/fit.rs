@@ -63,6 +63,9 @@ impl Local<'_> {
         let mut faces: Vec<u32> = (0..self.surface.mesh.halfedge_slots() / 3).collect();
         let places = (PLACES * self.surface.mesh.face_count() as f64) as usize + MORE_PLACES;
         for _ in 0..ROUNDS {
+            if self.is_stopped() {
+                break;
+            }
             let found = reached(self.surface, &samples)?;
             let mut heights = self.heights(&faces);
             let distances = found.iter().map(|found| found.distance);
@@ -105,10 +108,16 @@ impl Local<'_> {
         let is_high = |distance: f64, length: f64| distance > WORST * worst && distance > LOW * length;
         let mut touched = Vec::new();
         for far in far.iter().filter(|x| is_high(x.distance, x.sample.length)).take(places) {
+            if self.is_stopped() {
+                return touched;
+            }
             let to = Some(far.sample.position);
             let _ = far.face.iter().any(|&v| self.move_for_distance(v, points, to, &mut touched));
         }
         for height in heights.iter().filter(|x| is_high(x.distance, x.length)).take(places) {
+            if self.is_stopped() {
+                return touched;
+            }
             let sides = [0, 1, 2].map(|i| 3 * height.face + i);
             let _ = sides.into_iter().any(|h| self.flip_for_distance(h, points, &mut touched))
                 || sides

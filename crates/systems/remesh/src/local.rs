@@ -6,6 +6,7 @@ use super::star::Star;
 use super::triangle::{Triangle, area_vector, keeps_normal};
 use glam::DVec3;
 use pompeiu_core::geom::point_triangle::distance_sq;
+use pompeiu_core::run::Control;
 use pompeiu_core::spatial::bvh::{Slot, Workspace};
 
 /// Directions in which a vertex is moved.
@@ -24,6 +25,7 @@ const LONGEST: f64 = 1.6;
 pub(super) struct Local<'s> {
     pub(super) surface: &'s mut Marked,
     pub(super) reference: &'s Reference<'s>,
+    control: &'s Control,
     workspace: Workspace,
 }
 
@@ -96,8 +98,13 @@ impl Collapsible {
 }
 
 impl<'s> Local<'s> {
-    pub(super) fn new(surface: &'s mut Marked, reference: &'s Reference<'s>) -> Self {
-        Self { surface, reference, workspace: Workspace::default() }
+    pub(super) fn new(surface: &'s mut Marked, reference: &'s Reference<'s>, control: &'s Control) -> Self {
+        Self { surface, reference, control, workspace: Workspace::default() }
+    }
+
+    /// Whether to leave the surface as it is, which is valid after each change.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.control.is_stopped()
     }
 
     /// The point of the input nearest to another one, with its face, searched from a face believed near.
@@ -196,4 +203,47 @@ pub(super) fn flipped([u, v, a, b]: [DVec3; 4]) -> Option<[[Triangle; 2]; 2]> {
     let is_smooth =
         n.dot(m) >= LEAST_COSINE * n.length() * m.length() && n.dot(all) > 0.0 && m.dot(all) > 0.0;
     is_smooth.then_some([old, new])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::connectivity::DynamicMesh;
+    use super::super::features::Curves;
+    use super::super::reference::identity;
+    use super::super::samples::samples;
+    use super::super::sizing::Lengths;
+    use super::*;
+    use pompeiu_core::mesh::{displace_at_random, shapes};
+    use pompeiu_core::run::StopReason;
+
+    /// Nothing is changed after a limit, also within what raises angles and lowers distances.
+    #[test]
+    fn a_limit_leaves_the_surface_as_it_is() {
+        // Faces have small angles, and are far away.
+        let mesh = displace_at_random(&shapes::icosphere(1.0, 3).unwrap(), 0.1, 5).unwrap();
+        let mesh = DynamicMesh::new(mesh.positions(), mesh.faces()).unwrap();
+        let curves = Curves::none(&mesh);
+        let length = vec![0.15; mesh.positions.len()];
+        let lengths = Lengths::AtVertices(length.clone());
+        let mut input =
+            Marked { curve: curves.of_halfedge, hold: curves.hold, length, near: Vec::new(), mesh };
+        let reference = Reference::new(&input, identity(), lengths).unwrap();
+        input.near = reference.slots_at_vertices(input.mesh.positions.len());
+        let samples = samples(&input);
+        let mut coarse = input.clone();
+        coarse.mesh.positions.iter_mut().for_each(|p| *p *= 1.05);
+        let changed = |control: &Control, change: &dyn Fn(&mut Local<'_>)| {
+            let mut surface = coarse.clone();
+            change(&mut Local::new(&mut surface, &reference, control));
+            surface.mesh != coarse.mesh
+        };
+        let changes: [&dyn Fn(&mut Local<'_>); 2] =
+            [&|local| local.raise_angles(40.0, 0.25), &|local| local.lower_distance(&samples).unwrap()];
+        let stopped = Control::default();
+        stopped.stop(StopReason::Time);
+        for (i, change) in changes.into_iter().enumerate() {
+            assert!(changed(&Control::default(), change), "{i}");
+            assert!(!changed(&stopped, change), "{i}");
+        }
+    }
 }

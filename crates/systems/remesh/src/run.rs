@@ -259,7 +259,7 @@ impl<'w> Work<'w> {
         anchors.release(&mut self.surface);
         if let Some(reference) = reference.filter(|_| !self.control.is_stopped()) {
             let mut before = self.surface.clone();
-            let mut local = Local::new(&mut self.surface, reference);
+            let mut local = Local::new(&mut self.surface, reference, &self.control);
             local.raise_angles(RAISED[0], MOVED[0]);
             local.lower_distance(&samples)?;
             for _ in 0..LAST_ROUNDS {

@@ -68,7 +68,7 @@ impl Local<'_> {
         let careful = libm::sin(LEAST_ANGLE.to_radians());
         let mut known = Known::default();
         let mut round = 0;
-        while round < ROUNDS {
+        while round < ROUNDS && !self.is_stopped() {
             let mesh = &self.surface.mesh;
             let alive: Vec<u32> = (0..mesh.halfedge_slots() / 3).filter(|&f| mesh.exists(3 * f)).collect();
             let positions = mesh.positions.iter().map(DVec3::to_array).collect();
@@ -86,6 +86,9 @@ impl Local<'_> {
             let mut faces = Faces { tree, stack: Vec::new(), near: Vec::new(), least, known };
             let mut done = false;
             for pair in found.pairs {
+                if self.is_stopped() {
+                    return Ok(());
+                }
                 done |= pair.faces.into_iter().any(|f| self.untangle_at(alive[f.index()], &mut faces));
             }
             known = faces.known;
