@@ -93,10 +93,9 @@ impl MeasuredCone {
     #[inline]
     pub(crate) fn distance(&self, p: DVec3) -> (f64, f64) {
         let Self { shape: RoundCone { ends: [a, b], radii: [ra, rb] }, length, slope, cosine } = *self;
-        // One ball contains all others, or the axis has no length.
+        // One ball contains all others, or the axis has no length. Where they touch from inside, both are as near.
         if slope.is_nan() || slope.abs() >= 1.0 {
-            let (da, db) = (p.distance(a) - ra, p.distance(b) - rb);
-            return if da <= db { (da, 0.0) } else { (db, 1.0) };
+            return if rb > ra { (p.distance(b) - rb, 1.0) } else { (p.distance(a) - ra, 0.0) };
         }
         let axis = b - a;
         let along = (p - a).dot(axis) / length;

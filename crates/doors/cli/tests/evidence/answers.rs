@@ -1202,8 +1202,8 @@ CELL_TYPES 2
 #[test]
 fn cells_of_a_neuron_that_are_not_proven_are_named() {
     let folder = Folder::new();
-    // A bend of half the radius of the tube.
-    let text = "1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2 3\n5 2 8 0 0 2 4\n6 2 8.8 0.5 0 2 5\n7 2 9 1 0 2 6\n8 2 8.8 1.5 0 2 7\n9 2 8 2 0 2 8\n10 2 6 2 0 2 9\n11 2 0 3 0 2 10\n";
+    // A branch that turns at every sample, shorter between them than it is wide.
+    let text = "1 2 0.00 0.00 0.00 1.29 -1\n2 2 1.67 -0.11 0.65 0.70 1\n3 2 2.61 -1.37 0.61 1.48 2\n4 2 2.36 -2.71 -0.81 1.32 3\n5 2 2.02 -2.79 -1.78 0.92 4\n6 2 0.89 -2.83 -2.81 1.28 5\n7 2 0.04 -2.52 -3.81 1.39 6\n8 2 -0.62 -2.02 -4.37 1.07 7\n9 2 -1.99 -3.33 -4.97 2.39 8\n10 2 -2.47 -3.77 -5.55 2.48 9\n11 2 -3.07 -3.83 -5.96 1.00 10\n12 2 -3.32 -3.75 -7.20 1.82 11\n";
     folder.write("bend.swc", text);
     let mesh = &json(&folder, "neuron mesh bend.swc --json")["mesh"];
     let unproven = mesh["unproven"].as_array().unwrap();

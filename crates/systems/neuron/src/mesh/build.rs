@@ -9,7 +9,7 @@ use super::node_mesh::NodeMesh;
 use super::options::{FoldedNode, MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;
 use super::sweep::RadialLength;
-use super::tube::{Tube, tubes};
+use super::tube::{Division, Tube, tubes};
 use crate::Skeleton;
 use glam::DVec3;
 use pompeiu_core::run::{Control, Progress, StopReason};
@@ -320,11 +320,21 @@ impl Parts {
     }
 }
 
-/// The tubes and the layout of the nodes between them. Where the corners of a tube have no room beside its nodes, its samples are moved.
+/// The tubes and the layout of the nodes between them. Where the corners of a tube have no room beside its nodes, its samples are moved. Branches
+/// are divided where they turn back, unless that leaves nothing to mesh.
 pub(super) fn arranged(skeleton: &Skeleton, factor: f64) -> (Vec<Tube>, Layout) {
+    let found = arranged_with(skeleton, factor, Division::AtFolds);
+    let is_left_out = |layout: &Layout| {
+        let has_no_arm = layout.clusters.iter().all(|cluster| cluster.ends.is_empty());
+        has_no_arm && layout.spans.iter().all(Option::is_none)
+    };
+    if is_left_out(&found.1) { arranged_with(skeleton, factor, Division::None) } else { found }
+}
+
+fn arranged_with(skeleton: &Skeleton, factor: f64, division: Division) -> (Vec<Tube>, Layout) {
     let mut is_moved = Vec::new();
     loop {
-        let tubes = tubes(skeleton, factor, &is_moved);
+        let tubes = tubes(skeleton, (factor, division), &is_moved);
         let layout = layout(skeleton, &tubes, factor);
         is_moved.resize(tubes.len(), false);
         let mut is_done = true;

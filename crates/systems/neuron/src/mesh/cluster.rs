@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 /// Smallest room between the two ends of a tube, in radii; with less, its nodes are meshed together.
 const ROOM: f64 = 0.8;
 
+/// The same where more than two nodes would be meshed together: long clusters have no place from which all of their wall is seen.
+const LITTLE_ROOM: f64 = 0.05;
+
 /// Smallest room between a node and the tip of a tube, in radii; with less, the tube is omitted.
 const TIP_ROOM: f64 = 0.5;
 
@@ -65,16 +68,19 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
         let mut changed = false;
         // For each cluster the shortest tip without room: beside it, longer ones may have some.
         let mut shortest: BTreeMap<usize, usize> = BTreeMap::new();
+        // Clusters without room between them, with this room over the radius.
+        let mut close: Vec<(f64, [usize; 2])> = Vec::new();
         for (index, tube) in tubes.iter().enumerate() {
             let arms = [true, false].map(|first| arm_of.get(&(index, first)).copied());
             let room = tube.length()
                 - arms.iter().flatten().map(|&(c, a)| found[c][a].unwrap_or(f64::INFINITY)).sum::<f64>();
             let radius = tube.at(0.5 * tube.length()).1;
             match arms {
-                [Some((a, _)), Some((b, _))] if room < ROOM * radius => {
-                    let (to, from) = (leader[&clusters[a].samples[0]], leader[&clusters[b].samples[0]]);
-                    leader.values_mut().filter(|l| **l == from).for_each(|l| *l = to);
-                    changed = true;
+                [Some((a, _)), Some((b, _))] if a != b => {
+                    let nodes = clusters[a].samples.len() + clusters[b].samples.len();
+                    if room < radius * if nodes > 2 { LITTLE_ROOM } else { ROOM } {
+                        close.push((room / radius, [a, b]));
+                    }
                 }
                 [Some((c, _)), None] | [None, Some((c, _))] if room < TIP_ROOM * radius => {
                     let least = shortest.entry(c).or_insert(index);
@@ -94,6 +100,7 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
         for index in shortest.into_values() {
             dropped[index] = true;
         }
+        changed |= merge(close, &clusters, &mut leader);
         if changed {
             continue;
         }
@@ -127,6 +134,27 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
         let dropped = (0..tubes.len()).filter(|&t| dropped[t]).collect();
         return Layout { clusters, reach, spans, dropped };
     }
+}
+
+/// Merges pairs of clusters, those with the least room first, each cluster at most once; returns whether there are any.
+fn merge(
+    mut close: Vec<(f64, [usize; 2])>,
+    clusters: &[Cluster],
+    leader: &mut BTreeMap<usize, usize>,
+) -> bool {
+    close.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut is_merged = vec![false; clusters.len()];
+    for (_, pair) in &close {
+        if pair.iter().any(|c| is_merged[*c]) {
+            continue;
+        }
+        for c in pair {
+            is_merged[*c] = true;
+        }
+        let [to, from] = pair.map(|c| leader[&clusters[c].samples[0]]);
+        leader.values_mut().filter(|l| **l == from).for_each(|l| *l = to);
+    }
+    !close.is_empty()
 }
 
 fn cluster(

@@ -275,7 +275,9 @@ impl Tube {
         }
         for mitre in mitres {
             let at = if first { mitre.at } else { self.length() - mitre.at };
-            let room = mitre.reach() / ROOM;
+            // Where the tube tapers, the section at the end is wider than that in the corner.
+            let width = self.section(if first { s } else { self.length() - s }).1;
+            let room = mitre.reach().max(mitre.tangent * width) / ROOM;
             if (at - s).abs() < room {
                 s = at + room * (1.0 + 1e-9);
             }
@@ -403,22 +405,67 @@ const MOST_MOVED: f64 = 0.2;
 /// Least length of the two segments at a sample at which a branch is divided, in radii.
 const DIVIDED_ROOM: f64 = 1.0;
 
-/// The samples at which a branch turns too sharply for a mitre, though it is long on both sides: there it is divided, so that they are nodes.
-fn folds(points: &[(DVec3, f64)]) -> Vec<usize> {
+/// The samples at which a branch is divided, so that they are nodes: where it turns too sharply for a mitre, though it is long on both sides, and where
+/// its mitre has no room beside that of another turn, or beside a tip.
+fn folds(points: &[(DVec3, f64)], are_tips: [bool; 2]) -> Vec<usize> {
     let mut relaxed = points.to_vec();
     relax(&mut relaxed);
-    if deviation(&relaxed, points) <= MOST_MOVED {
-        return Vec::new();
-    }
+    let is_moved = deviation(&relaxed, points) > MOST_MOVED;
     let least = libm::cos(MOST_MITRE.to_radians());
-    let is_fold = |triple: &&[usize]| {
+    let corner = |triple: &[usize]| {
         let [a, b, c] = [points[triple[0]], points[triple[1]], points[triple[2]]];
         let (before, after) = (b.0 - a.0, c.0 - b.0);
-        let is_sharp = before.normalize_or_zero().dot(after.normalize_or_zero()) < least;
-        is_sharp && before.length().min(after.length()) >= DIVIDED_ROOM * b.1
+        let cosine = before.normalize_or_zero().dot(after.normalize_or_zero());
+        let is_fold = cosine < least && before.length().min(after.length()) >= DIVIDED_ROOM * b.1;
+        let tangent = ((1.0 - cosine) / (1.0 + cosine).max(f64::MIN_POSITIVE)).max(0.0).sqrt();
+        Corner {
+            at: triple[1],
+            is_fold,
+            is_sharp: cosine < libm::cos(HOOK_FROM.to_radians()),
+            reach: b.1 * tangent,
+        }
     };
-    thinned(points).windows(3).filter(is_fold).map(|triple| triple[1]).collect()
+    let mut corners: Vec<Corner> = thinned(points).windows(3).map(corner).collect();
+    let ends = [0, points.len() - 1].into_iter().zip(are_tips).filter(|(_, is_tip)| *is_tip);
+    corners.extend(ends.map(|(at, _)| Corner { at, is_fold: false, is_sharp: false, reach: 0.0 }));
+    corners.sort_unstable_by_key(|corner| corner.at);
+    let is_fold = |corner: &&Corner| is_moved && corner.is_fold;
+    let mut found: Vec<usize> = corners.iter().filter(is_fold).map(|corner| corner.at).collect();
+    let is_end = |corner: &Corner| corner.at == 0 || corner.at + 1 == points.len();
+    for pair in corners.windows(2) {
+        let [a, b] = [&pair[0], &pair[1]];
+        // A hook at a tip is within the tolerance, but no section is between.
+        let is_hook = (is_end(a) && b.is_sharp) || (is_end(b) && a.is_sharp);
+        let has_room = a.reach + b.reach <= ROOM * points[a.at].0.distance(points[b.at].0);
+        let is_divided = found.contains(&a.at) || found.contains(&b.at);
+        if !has_room && !is_divided && (is_moved || is_hook) {
+            found.push(if a.reach >= b.reach { a.at } else { b.at });
+        }
+    }
+    found.retain(|at| *at > 0 && at + 1 < points.len());
+    found.sort_unstable();
+    found
 }
+
+/// Whether branches are divided at their folds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Division {
+    AtFolds,
+    None,
+}
+
+/// A sample at which a branch turns, or a tip.
+struct Corner {
+    at: usize,
+    /// Whether the turn is too sharp for a mitre, and long on both sides.
+    is_fold: bool,
+    is_sharp: bool,
+    /// The length that its mitre takes on each side.
+    reach: f64,
+}
+
+/// Turn, in degrees, from which on a tip without room for the mitre before it is a hook.
+const HOOK_FROM: f64 = 42.0;
 
 /// The first sample and the last.
 fn ends(samples: &[usize]) -> [usize; 2] {
@@ -489,7 +536,11 @@ pub(super) fn is_ball(skeleton: &Skeleton, sample: usize) -> bool {
 /// The tubes between nodes. Nodes are balls, and samples with one neighbour or more than two.
 ///
 /// Radii are multiplied by a factor. The samples of tubes for which `is_moved` is set are moved where the tube turns.
-pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<Tube> {
+pub(super) fn tubes(
+    skeleton: &Skeleton,
+    (factor, division): (f64, Division),
+    is_moved: &[bool],
+) -> Vec<Tube> {
     let mut paths = skeleton.branches();
     // A root with two neighbours is a node only if it is a ball.
     for root in skeleton.roots().filter(|&root| skeleton.degree(root) == 2 && !is_ball(skeleton, root)) {
@@ -504,7 +555,9 @@ pub(super) fn tubes(skeleton: &Skeleton, factor: f64, is_moved: &[bool]) -> Vec<
     }
     let parts = paths.into_iter().enumerate().flat_map(|(branch, path)| {
         let points = balls(skeleton, &path, factor);
-        divided(&path, &points).into_iter().map(move |part| (branch, part))
+        let are_tips =
+            [path[0], path[path.len() - 1]].map(|end| skeleton.degree(end) == 1 && !is_ball(skeleton, end));
+        divided(&path, &points, (division, are_tips)).into_iter().map(move |part| (branch, part))
     });
     let is_moved = |index: usize| is_moved.get(index).is_some_and(|is| *is);
     parts
@@ -534,7 +587,7 @@ fn balls(skeleton: &Skeleton, path: &[usize], factor: f64) -> Vec<(DVec3, f64)> 
 type Part = (Vec<usize>, Vec<(DVec3, f64)>);
 
 /// The parts of a path between its folds, without balls at the place of the one before.
-fn divided(path: &[usize], balls: &[(DVec3, f64)]) -> Vec<Part> {
+fn divided(path: &[usize], balls: &[(DVec3, f64)], (division, are_tips): (Division, [bool; 2])) -> Vec<Part> {
     let mut kept: Vec<usize> = (0..path.len()).collect();
     kept.dedup_by(|b, a| balls[*a].0 == balls[*b].0);
     let points: Vec<(DVec3, f64)> = kept.iter().map(|k| balls[*k]).collect();
@@ -542,7 +595,9 @@ fn divided(path: &[usize], balls: &[(DVec3, f64)]) -> Vec<Part> {
         return vec![(path.to_vec(), vec![points[0]; 2])];
     }
     let mut ends = vec![0];
-    ends.extend(folds(&points));
+    if division == Division::AtFolds {
+        ends.extend(folds(&points, are_tips));
+    }
     ends.push(points.len() - 1);
     let part = |pair: &[usize]| {
         let [a, b] = [pair[0], pair[1]];

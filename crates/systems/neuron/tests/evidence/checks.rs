@@ -16,10 +16,14 @@ fn check(text: &str) -> Meshability {
     meshability(&skeleton(text), &MeshOptions::default()).unwrap()
 }
 
+/// A branch that turns at every sample, shorter between them than it is wide.
+const CRUMPLED: &str = "1 2 0.00 0.00 0.00 2.00 -1\n2 2 1.12 -0.36 -1.27 2.00 1\n3 2 0.95 -1.16 -1.83 2.00 2\n4 2 0.63 -1.69 -2.42 2.00 3\n5 2 -0.08 -2.54 -2.36 2.00 4\n6 2 0.27 -2.91 -2.29 2.00 5\n\
+    7 2 0.79 -4.00 -1.35 2.00 6\n8 2 0.99 -4.40 -1.34 2.00 7\n9 2 0.80 -5.45 -1.38 2.00 8\n10 2 1.68 -6.43 -1.19 2.00 9\n11 2 2.27 -6.52 -0.93 2.00 10\n12 2 3.48 -7.29 -0.33 2.00 11\n";
+
 /// Turns that nothing follows, a branch that turns back into itself, a twig within its node, branches that cross, narrow angles, no radius, and
 /// points only.
 const HARD: [(&str, ProblemKind, i64); 7] = [
-    ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 6 1.2 0 1 2\n4 2 12 1.2 0 1 3\n", ProblemKind::SharpTurn, 3),
+    (CRUMPLED, ProblemKind::SharpTurn, 1),
     ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n", ProblemKind::TooShort, 3),
     ("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 0 0 1 2\n4 2 8 1.45 0 0.6 2\n", ProblemKind::TooShort, 4),
     (

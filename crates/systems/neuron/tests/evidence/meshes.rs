@@ -229,9 +229,14 @@ fn turns_are_followed() {
         let wall = found.report.wall.unwrap();
         assert_eq!(wall.is_within(), Some(true), "{degrees}°: {wall:?}");
     }
-    // Two turns between which there is no room for sections, and that is said.
+    // Two turns between which there is no room for sections.
     let step = "1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 6 1.2 0 1 2\n4 2 12 1.2 0 1 3\n";
-    assert_eq!(mesh(step, &quick()).report.moved.len(), 1);
+    let found = mesh(step, &MeshOptions::default()).report;
+    assert!(found.moved.is_empty(), "{found:?}");
+    assert_eq!(found.wall.unwrap().is_within(), Some(true));
+    // A hook at a tip.
+    let hook = mesh("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 6 0.1 0 1 2\n", &MeshOptions::default()).report;
+    assert_eq!((hook.left_out.len(), hook.wall.unwrap().is_within()), (1, Some(true)));
 }
 
 #[test]
@@ -260,9 +265,9 @@ fn branches_that_turn_back_are_divided() {
     assert_eq!(mesh(back, &quick()).report.left_out.len(), 1);
 }
 
-/// A bend of radius 1 in a tube of radius 2.
-const HAIRPIN: &str = "1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2 3\n5 2 8 0 0 2 4\n6 2 8.479 0.122 0 2 5\n7 2 8.841 0.46 0 2 6\n\
-    8 2 8.997 0.929 0 2 7\n9 2 8.909 1.416 0 2 8\n10 2 8.598 1.801 0 2 9\n11 2 8.042 1.999 0 2 10\n12 2 6 2 0 2 11\n13 2 4 2.2 0 2 12\n14 2 0 3 0 2 13\n";
+/// A branch that turns at every sample, shorter between them than it is wide.
+const CRUMPLED: &str = "1 2 0.00 0.00 0.00 1.29 -1\n2 2 1.67 -0.11 0.65 0.70 1\n3 2 2.61 -1.37 0.61 1.48 2\n4 2 2.36 -2.71 -0.81 1.32 3\n5 2 2.02 -2.79 -1.78 0.92 4\n6 2 0.89 -2.83 -2.81 1.28 5\n\
+    7 2 0.04 -2.52 -3.81 1.39 6\n8 2 -0.62 -2.02 -4.37 1.07 7\n9 2 -1.99 -3.33 -4.97 2.39 8\n10 2 -2.47 -3.77 -5.55 2.48 9\n11 2 -3.07 -3.83 -5.96 1.00 10\n12 2 -3.32 -3.75 -7.20 1.82 11\n";
 
 #[test]
 fn turned_branches_between_nodes_have_the_same_cells_in_any_unit() {
@@ -295,7 +300,7 @@ fn turned_branches_between_nodes_have_the_same_cells_in_any_unit() {
 #[test]
 fn cells_that_are_not_proven_are_named_with_their_places() {
     assert_eq!(mesh("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n", &quick()).report.unproven, []);
-    let skeleton = skeleton(HAIRPIN);
+    let skeleton = skeleton(CRUMPLED);
     let found = mesh_neuron(&skeleton, &quick()).unwrap();
     let unproven = &found.report.unproven;
     assert!(!found.report.certified && !unproven.is_empty());

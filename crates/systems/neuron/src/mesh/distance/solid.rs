@@ -16,9 +16,6 @@ use glam::DVec3;
 /// 4 M. Together less than 300 u M, which is more than doubled.
 const ROUNDING: f64 = 640.0 * 1.110_223_024_625_156_5e-16;
 
-/// Excess of the slope of the radius over 1 up to which both balls of a cone may be as near as each other, up to rounding.
-const TANGENT: f64 = 1e-6;
-
 /// A cone of the skeleton.
 pub(super) struct Cone {
     pub(super) shape: RoundCone,
@@ -57,12 +54,9 @@ impl Cone {
     /// The nearest ball moves along the axis by at most `1 / √(1 − k²)` times what the point moves, `k` the slope.
     fn least_radius(&self, t: f64, reach: f64) -> f64 {
         let [least, most] = [f64::min, f64::max].map(|of| of(self.shape.radii[0], self.shape.radii[1]));
-        // The greater ball contains the others, and is nearer than they are.
-        if self.slope.abs() > 1.0 + TANGENT {
-            return most;
-        }
+        // The greater ball contains the others, and counts as the nearest one where they touch it from inside, too.
         if self.slope.is_nan() || self.slope.abs() >= 1.0 {
-            return least;
+            return most;
         }
         let change = self.slope.abs() * reach / (1.0 - self.slope * self.slope).sqrt();
         (self.radius(t) - change).max(least)
@@ -329,6 +323,10 @@ mod tests {
         let p = DVec3::new(1.1, 0.2, 0.0);
         let contained = cone(0.5);
         assert_eq!(contained.least_radius(contained.distance(p).1, 0.3), 1.0);
+        // Nor one that touches it from inside, at the point next to both.
+        let touching = Cone::new(RoundCone { ends: [DVec3::ZERO, DVec3::X], radii: [2.0, 1.0] }, [0, 1]);
+        let t = touching.distance(DVec3::X * 3.0).1;
+        assert_eq!((t, touching.least_radius(t, 0.3)), (0.0, 2.0));
         // Beside a lateral surface, the nearest balls are smaller.
         let tapered = cone(1.5);
         assert!(tapered.least_radius(tapered.distance(p).1, 0.1) < 0.5);
