@@ -56,26 +56,10 @@ impl Envelope<'_> {
 
     /// Cuts across the longest way between two corners.
     pub(in super::super) fn halve(&self, polygon: &Polygon) -> Option<[Polygon; 2]> {
-        let way = |i: usize, j: usize| {
-            self.scale.way([
-                polygon.outline.v[j] - polygon.outline.v[i],
-                polygon.outline.w[j] - polygon.outline.w[i],
-            ])
-        };
-        let mut longest = (0, 1, -1.0);
-        for i in 0..polygon.outline.count {
-            for j in i + 1..polygon.outline.count {
-                let length = way(i, j).length_squared();
-                if length > longest.2 {
-                    longest = (i, j, length);
-                }
-            }
-        }
-        let (i, j, _) = longest;
+        let (along, i, j) = polygon.outline.longest_way(&self.scale);
         if polygon.outline.count == 3 {
             return Some(polygon.halve(if i == 0 && j == 2 { 2 } else { i }));
         }
-        let along = way(i, j);
         let middle = [
             0.5 * (polygon.outline.v[i] + polygon.outline.v[j]),
             0.5 * (polygon.outline.w[i] + polygon.outline.w[j]),
