@@ -65,15 +65,17 @@ def test_the_wall_is_compared_with_the_skeleton():
 
 
 def test_cells_that_are_not_proven_are_named():
-    # A bend of half the radius of the tube.
+    # A branch that turns at every sample, shorter between them than it is wide.
     text = (
-        b"1 2 0 0 0 2 -1\n2 2 2 0 0 2 1\n3 2 4 0 0 2 2\n4 2 6 0 0 2 3\n5 2 8 0 0 2 4\n6 2 8.8 0.5 0 2 5\n"
-        b"7 2 9 1 0 2 6\n8 2 8.8 1.5 0 2 7\n9 2 8 2 0 2 8\n10 2 6 2 0 2 9\n11 2 0 3 0 2 10\n"
+        b"1 2 0.00 0.00 0.00 1.29 -1\n2 2 1.67 -0.11 0.65 0.70 1\n3 2 2.61 -1.37 0.61 1.48 2\n4 2 2.36 -2.71 -0.81 1.32 3\n"
+        b"5 2 2.02 -2.79 -1.78 0.92 4\n6 2 0.89 -2.83 -2.81 1.28 5\n7 2 0.04 -2.52 -3.81 1.39 6\n8 2 -0.62 -2.02 -4.37 1.07 7\n"
+        b"9 2 -1.99 -3.33 -4.97 2.39 8\n10 2 -2.47 -3.77 -5.55 2.48 9\n11 2 -3.07 -3.83 -5.96 1.00 10\n12 2 -3.32 -3.75 -7.20 1.82 11\n"
     )
     mesh = pompeiu.read_skeleton(text).mesh()
     assert not mesh.certified
     worst = mesh.report["unproven"][0]
-    assert set(worst) == {"cell", "scaled_jacobian", "centre", "sample", "line"}
+    assert set(worst) == {"cell", "scaled_jacobian", "folded", "centre", "sample", "line"}
+    assert any(place["folded"] for place in mesh.report["unproven"])
     assert worst["scaled_jacobian"] == min(place["scaled_jacobian"] for place in mesh.report["unproven"])
 
 
@@ -229,7 +231,7 @@ def test_a_check_says_what_a_mesh_cannot_do():
     back = pompeiu.read_skeleton(b"1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n")
     found = back.check()
     assert found.meshable is False and not back.mesh().within
-    assert [(p["kind"], p["line"]) for p in found.problems] == [("sharp_turn", 2)]
+    assert [(p["kind"], p["line"]) for p in found.problems] == [("too_short", 3)]
     rod = pompeiu.read_skeleton(TUBE)
     assert rod.check(within=0.3) == pompeiu.SkeletonCheck(True, []) and rod.mesh(within=0.3).within
     once = pompeiu.neuron(b"1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n", stage="check")
