@@ -51,4 +51,4 @@ pub use options::{
     BeyondSample, DirectedDistance, FoldedNode, MeshError, MeshOptions, MeshReport, UnprovenCell,
     WallDistance,
 };
-pub(crate) use options::{ended_by, go_on};
+pub(crate) use options::{cells_are, ended_by, go_on};

@@ -99,6 +99,11 @@ impl MeshReport {
     }
 }
 
+/// So many cells as the subject of a sentence, with its verb.
+pub(crate) fn cells_are(count: usize) -> String {
+    if count == 1 { "1 cell is".to_owned() } else { format!("{count} cells are") }
+}
+
 /// A cell over which the Jacobian determinant is not proven positive: it is folded, or nearly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

@@ -1,7 +1,7 @@
 //! What a mesh of a skeleton cannot do, with the cause.
 
 use super::{Problem, ProblemKind, problems};
-use crate::mesh::{Cause, Causes, decisive_report};
+use crate::mesh::{Cause, Causes, cells_are, decisive_report};
 use crate::{
     BeyondSample, FoldedNode, MeshError, MeshOptions, MeshReport, RoundCone, Skeleton, UnprovenCell,
 };
@@ -199,7 +199,7 @@ fn of_cells(report: &MeshReport, worst: &UnprovenCell) -> Problem {
     let folded = report.folded();
     let (count, what) =
         if folded > 0 { (folded, "folded") } else { (report.unproven.len(), "not proven valid") };
-    let cells = if count == 1 { "1 cell is".to_owned() } else { format!("{count} cells are") };
+    let cells = cells_are(count);
     let message = format!("{cells} {what}, with a scaled Jacobian of {:.3}", worst.scaled_jacobian);
     problem(ProblemKind::Cells, place, [worst.scaled_jacobian, 0.0], message)
 }

@@ -1,6 +1,7 @@
 //! The whole pipeline: skeleton, cells, splines, flow, transport.
 
 use super::{NeuronRequest, NeuronRequestError, Stage};
+use crate::mesh::cells_are;
 use crate::source::Prepared;
 use crate::{
     Checkpoint, CubicMesh, Flow, FlowCells, FlowOptions, MaterialCells, MeshOptions, NeuronMesh,
@@ -241,7 +242,7 @@ impl Run<'_, '_> {
         let Some(mesh) = &self.answer.report.mesh else { return false };
         let folded = mesh.folded();
         if folded > 0 {
-            let cells = if folded == 1 { "1 cell is".to_owned() } else { format!("{folded} cells are") };
+            let cells = cells_are(folded);
             let worst = mesh.unproven.iter().find(|cell| cell.folded).and_then(|cell| cell.sample);
             let near = worst.map_or(String::new(), |sample| format!(", the worst near sample {sample}"));
             self.answer.report.ended = Some(format!("ended after the mesh, of which {cells} folded{near}"));
