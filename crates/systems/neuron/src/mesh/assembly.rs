@@ -1,6 +1,6 @@
 //! Assembly of the blocks of nodes and tubes.
 
-use super::cluster::Layout;
+use super::layout::Layout;
 use super::node::{layer_of, place_in_disc};
 use super::node_mesh::NodeMesh;
 use super::section::Section;

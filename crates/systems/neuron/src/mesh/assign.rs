@@ -55,7 +55,7 @@ pub(super) fn assignments(core: &Core, directions: &[DVec3], most: usize) -> Vec
     found
 }
 
-fn angle(a: DVec3, b: DVec3) -> f64 {
+pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
@@ -105,7 +105,7 @@ fn outer(a: DVec3, b: DVec3) -> DMat3 {
 ///
 /// # Source
 /// The Hungarian method by shortest augmenting paths, `crouse_assignment_2016`.
-fn hungarian(cost: &[Vec<f64>]) -> Vec<usize> {
+pub(super) fn hungarian(cost: &[Vec<f64>]) -> Vec<usize> {
     let (n, m) = (cost.len(), cost[0].len());
     // Row and column 0 are sentinels.
     let (mut u, mut v) = (vec![0.0; n + 1], vec![0.0; m + 1]);

@@ -1,10 +1,11 @@
 //! From a skeleton to the mesh.
 
 use super::assembly::{Assembly, NodeBlocks};
-use super::cluster::{Layout, layout};
+use super::cluster::Cluster;
 use super::cubic_node::START;
 use super::distance::{Net, Wanted, wall_distance};
-use super::node::{Cluster, mesh_node, sketch_node};
+use super::layout::{Layout, layout};
+use super::node::{mesh_node, sketch_node};
 use super::node_mesh::NodeMesh;
 use super::options::{FoldedNode, MeshError, MeshOptions, MeshReport, go_on};
 use super::proof::CellProof;

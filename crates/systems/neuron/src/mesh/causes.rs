@@ -1,8 +1,8 @@
 //! Where a skeleton is hard to mesh: branches that turn too sharply or are too short, and nodes.
 
 use super::build::{area_factor, arranged};
-use super::cluster::Layout;
-use super::node::Cluster;
+use super::cluster::Cluster;
+use super::layout::Layout;
 use super::tube::{End, Tube};
 use crate::Skeleton;
 use std::collections::BTreeMap;

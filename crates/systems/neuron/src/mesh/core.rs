@@ -10,6 +10,8 @@ pub(super) struct Core {
     pub(super) blocks: Vec<[usize; 8]>,
     /// Its boundary quads, counter-clockwise seen from outside.
     pub(super) quads: Vec<[usize; 4]>,
+    /// Where it is placed already: for each vertex the point from which the wall lies behind it.
+    pub(super) axis: Option<Vec<DVec3>>,
 }
 
 impl Core {
@@ -26,7 +28,12 @@ impl Core {
             }
         }
         let quads = all.into_iter().filter(|(key, _)| seen[key] == 1).map(|(_, quad)| quad).collect();
-        Self { vertices, blocks, quads }
+        Self { vertices, blocks, quads, axis: None }
+    }
+
+    /// Cells with vertices where they shall be, each with the point of an axis from which the wall lies behind it.
+    pub(super) fn placed(vertices: Vec<DVec3>, axis: Vec<DVec3>, blocks: Vec<[usize; 8]>) -> Self {
+        Self { axis: Some(axis), ..Self::new(vertices, blocks) }
     }
 
     /// `n` × `n` × `n` cubes, rounded towards a ball if there are several.

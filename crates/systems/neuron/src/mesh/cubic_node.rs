@@ -1,8 +1,9 @@
 //! The mesh around a node with tricubic cells.
 
+use super::cluster::Cluster;
 use super::cubic_energy::{CubicEnergy, MANY_PLACES, PLACES, lagrange_table};
 use super::cubic_follow::{Bent, EVEN, EVEN_BELOW, follow, off};
-use super::node::{Cluster, size_of};
+use super::node::size_of;
 use super::node_mesh::NodeMesh;
 use super::section::Section;
 use super::shape::Shape;

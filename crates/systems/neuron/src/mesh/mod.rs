@@ -7,6 +7,7 @@
 
 mod assembly;
 mod assign;
+mod bar;
 mod build;
 mod causes;
 mod cluster;
@@ -19,8 +20,10 @@ mod decide;
 mod distance;
 mod energy;
 mod energy_lanes;
+mod exit;
 mod follow;
 mod import;
+mod layout;
 mod least_shift;
 mod linear;
 mod node;

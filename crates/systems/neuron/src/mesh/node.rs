@@ -2,8 +2,11 @@
 //! them.
 
 use super::assign::{Assignment, assignments};
+use super::bar::bars;
+use super::cluster::{Cluster, THIN};
 use super::core::{Core, library, library_of_balls};
 use super::energy::Energy;
+use super::exit::exit;
 use super::follow::Draft;
 use super::node_mesh::{NodeMesh, PLACES, Section, quality, quality_at_points};
 use super::shape::Shape;
@@ -11,7 +14,6 @@ use super::skin::Skin;
 use super::tube::{End, Tube};
 use super::wall::{Middle, Wall};
 use super::warp::{Ray, side_of, turned};
-use crate::RoundCone;
 use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::{Refinement, key_weights as weights};
@@ -21,136 +23,8 @@ use std::collections::BTreeMap;
 /// Half the diagonal of the core square of a section, in radii.
 pub(super) const CORE: f64 = 0.55;
 
-/// A node, or several that are too close for tubes between them.
-pub(super) struct Cluster {
-    /// The samples.
-    pub(super) samples: Vec<usize>,
-    /// The tubes that leave it.
-    pub(super) ends: Vec<End>,
-    /// The tubes between its nodes.
-    pub(super) inside: Vec<usize>,
-    /// Its somata: centre and radius.
-    pub(super) balls: Vec<(DVec3, f64)>,
-    pub(super) centre: DVec3,
-    /// Mean radius of the tubes at the node.
-    pub(super) radius: f64,
-}
-
-/// Distance of the ring of a section from all other tubes, in radii.
-const CLEAR: f64 = 0.15;
-
-/// Width of the blend of the wall, over the least radius of the arms.
-const BLEND: f64 = 0.05;
-
-/// Depth inside a ball from which on a cone is not part of the wall, in widths of the blend: it would change the wall by e⁻²⁰.
-const DEEP: f64 = 20.0;
-
 /// Weight of the squared distance of middles of faces and edges from the wall, in radii, beside the energy of one cell.
 pub(super) const MIDDLES: f64 = 50.0;
-
-/// Number of points checked on a ring.
-const RING: usize = 12;
-
-impl Cluster {
-    /// For each end the length along its tube at which the mesh of the node ends; `None` if the tube is too short.
-    pub(super) fn clearances(&self, tubes: &[Tube]) -> Vec<Option<f64>> {
-        let clearance = |&end: &End| {
-            let s = self.clearance(tubes, end)?;
-            Some(end.beside_corners(tubes, s)).filter(|s| *s <= tubes[end.tube].length())
-        };
-        self.ends.iter().map(clearance).collect()
-    }
-
-    /// An arm and the length that it should have if there is room: the core may lie where a thin tube leaves a thick one.
-    pub(super) fn longer_arm(&self, tubes: &[Tube], reach: &[f64]) -> Option<(usize, f64)> {
-        let Exit { tube, along, radius, .. } = exit(self, tubes, reach)?;
-        let s = self.ends[tube].beside_corners(tubes, along + BESIDE_CORE * radius);
-        (s > reach[tube]).then_some((tube, s))
-    }
-
-    fn clearance(&self, tubes: &[Tube], end: End) -> Option<f64> {
-        let length = tubes[end.tube].length();
-        let (mut s, mut since) = (0.0, None);
-        // No section lies within the ball of the tube's own node.
-        let least = 0.8 * end.at(tubes, 0.0).1;
-        while s <= length {
-            let radius = end.at(tubes, s).1;
-            let clear = s >= least && self.is_clear(tubes, end, s);
-            match (clear, since) {
-                (false, _) => since = None,
-                (true, None) => since = Some(s),
-                (true, Some(first)) if s >= first + radius => return since,
-                _ => (),
-            }
-            s += 0.1 * radius;
-        }
-        since
-    }
-
-    fn is_clear(&self, tubes: &[Tube], end: End, s: f64) -> bool {
-        let (centre, radius) = end.section(tubes, s);
-        let axis = end.tangent(tubes, s);
-        let (e1, e2) = axis.any_orthonormal_pair();
-        let reach = s + 4.0 * self.radius + 2.0 * radius;
-        let inside = self.inside.iter().flat_map(|&tube| tubes[tube].cones.iter());
-        let others = self
-            .ends
-            .iter()
-            .filter(|other| other.tube != end.tube || other.first != end.first)
-            .flat_map(|other| other.cones(tubes, reach.min(tubes[other.tube].length())))
-            .chain(inside);
-        let near: Vec<&RoundCone> = others
-            .filter(|cone| {
-                let (low, high) = (cone.bounds()[0], cone.bounds()[1]);
-                centre.distance(centre.clamp(low, high)) <= (1.0 + CLEAR) * radius
-            })
-            .collect();
-        let ring = (0..RING).map(|k| {
-            let angle = std::f64::consts::TAU * k as f64 / RING as f64;
-            centre + (e1 * libm::cos(angle) + e2 * libm::sin(angle)) * radius
-        });
-        ring.chain([centre]).all(|p| {
-            near.iter().all(|cone| cone.distance(p).0 >= CLEAR * radius)
-                && self.balls.iter().all(|(c, r)| p.distance(*c) - r >= CLEAR * radius)
-        })
-    }
-
-    /// Whether cells are much smaller than the cluster: on a ball, and at tubes that are thin beside its depth.
-    pub(super) fn has_small_cells(&self, tubes: &[Tube], reach: &[f64], depth: f64) -> bool {
-        let thinnest = self.ends.iter().zip(reach).map(|(end, s)| end.at(tubes, *s).1);
-        self.balls.len() == 1 || thinnest.fold(f64::INFINITY, f64::min) <= THIN * depth
-    }
-
-    /// The wall around the cluster.
-    pub(super) fn wall(&self, tubes: &[Tube], reach: &[f64]) -> Wall {
-        let mut groups: Vec<Vec<RoundCone>> = self
-            .ends
-            .iter()
-            .zip(reach)
-            .map(|(end, s)| {
-                let within = s + 3.0 * end.at(tubes, *s).1;
-                end.cones(tubes, within.min(tubes[end.tube].length())).to_vec()
-            })
-            .collect();
-        groups.extend(self.inside.iter().map(|&tube| tubes[tube].cones.clone()));
-        let least =
-            self.ends.iter().zip(reach).map(|(end, s)| end.at(tubes, *s).1).fold(f64::INFINITY, f64::min);
-        let blend = BLEND * least;
-        // Deep inside a ball, cones do not change the wall.
-        let is_deep = |cone: &RoundCone| {
-            let in_ball = |(c, r): &(DVec3, f64)| {
-                (0..2).all(|k| cone.ends[k].distance(*c) + cone.radii[k] < r - DEEP * blend)
-            };
-            self.balls.iter().any(in_ball)
-        };
-        for group in &mut groups {
-            group.retain(|cone| !is_deep(cone));
-        }
-        groups.retain(|group| !group.is_empty());
-        groups.extend(self.balls.iter().map(|&(c, r)| vec![RoundCone { ends: [c, c], radii: [r, r] }]));
-        Wall::new(groups, blend)
-    }
-}
 
 /// No further assignment is tried once this quality is reached.
 const GOOD: f64 = 0.35;
@@ -166,6 +40,9 @@ const ENOUGH: f64 = 0.3;
 
 /// Largest number of assignments tried for a node.
 const MOST_TRIES: usize = 6;
+
+/// Rows of cubes that are tried.
+const MOST_ROWS: usize = 3;
 
 /// The same where the mesh only decides.
 const MOST_SKETCHES: usize = 2;
@@ -213,7 +90,7 @@ pub(super) fn sketch_node(
     let cones = factor.map(|factor| wall.divided(factor, cluster.balls.len()));
     let plan = Plan::new((cluster, tubes, reach), (&wall, cones.as_ref()), parts, control);
     let (centre, _) = plan.places.first()?;
-    plan.candidates(&plan.cores, *centre).iter().take(MOST_SKETCHES).find_map(|(core, assignment)| {
+    plan.candidates((0, *centre)).iter().take(MOST_SKETCHES).find_map(|(core, assignment)| {
         plan.sketch(*centre, &plan.cores[*core], assignment).enough(&wall, (cones.as_ref(), within), control)
     })
 }
@@ -232,6 +109,8 @@ struct Plan<'p> {
     parts: usize,
     control: &'p Control,
     cores: Vec<Core>,
+    /// Rows of cubes, with their assignments.
+    rows: Vec<Candidate>,
     /// Positions of the core to try, each with the cores and assignments to try there once they are known.
     places: Vec<(DVec3, OnceCell<Vec<Candidate>>)>,
     /// Drafts whose middles follow the wall, by the indices of their position and of their core and assignment.
@@ -246,11 +125,16 @@ impl<'p> Plan<'p> {
         control: &'p Control,
     ) -> Self {
         let arms = cluster.ends.len();
-        let cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
+        let mut cores = if cluster.balls.is_empty() { library(arms) } else { library_of_balls(arms) };
+        let mut rows = Vec::new();
+        for (core, assignment) in bars((cluster, tubes, reach), MOST_ROWS) {
+            rows.push((cores.len(), assignment));
+            cores.push(core);
+        }
         let places = centres(cluster, tubes, reach, wall);
         let places = places.into_iter().map(|centre| (centre, OnceCell::new())).collect();
         let drafts = RefCell::default();
-        Self { cluster, tubes, reach, wall, cones, parts, control, cores, places, drafts }
+        Self { cluster, tubes, reach, wall, cones, parts, control, cores, rows, places, drafts }
     }
 
     /// The mesh of best quality.
@@ -275,7 +159,7 @@ impl<'p> Plan<'p> {
     ) -> Option<Draft> {
         let mut best: Option<(f64, Draft)> = None;
         for (nth, (centre, candidates)) in self.places.iter().enumerate() {
-            let candidates = candidates.get_or_init(|| self.candidates(&self.cores, *centre));
+            let candidates = candidates.get_or_init(|| self.candidates((nth, *centre)));
             for number in 0..candidates.len() {
                 if self.control.is_stopped() {
                     return best.map(|(_, draft)| draft);
@@ -313,14 +197,14 @@ impl<'p> Plan<'p> {
         }
     }
 
-    /// Cores and assignments to try, the best first.
-    fn candidates(&self, cores: &[Core], centre: DVec3) -> Vec<Candidate> {
+    /// Cores and assignments to try at one of the positions, the best first.
+    fn candidates(&self, (nth, centre): (usize, DVec3)) -> Vec<Candidate> {
         let cluster = self.cluster;
         let direction = |(end, &s): (&End, &f64)| (end.at(self.tubes, s).0 - centre).normalize_or_zero();
         let directions: Vec<DVec3> = cluster.ends.iter().zip(self.reach).map(direction).collect();
         let mut found: Vec<Candidate> = Vec::new();
-        for (index, core) in cores.iter().enumerate() {
-            if core.quads.len() > cluster.ends.len() {
+        for (index, core) in self.cores.iter().enumerate() {
+            if core.axis.is_none() && core.quads.len() > cluster.ends.len() {
                 // A larger core must fit better to justify its cells.
                 found.extend(assignments(core, &directions, 4).into_iter().map(|mut assignment| {
                     assignment.score += 0.002 * core.blocks.len() as f64;
@@ -330,6 +214,10 @@ impl<'p> Plan<'p> {
         }
         found.sort_by(|a, b| a.1.score.total_cmp(&b.1.score));
         found.truncate(MOST_TRIES);
+        // Where several nodes lie on one tube, a row of cubes is near them all. It does not depend on the position.
+        if nth == 0 {
+            found.splice(..0, self.rows.iter().cloned());
+        }
         found
     }
 }
@@ -368,65 +256,6 @@ fn centres(cluster: &Cluster, tubes: &[Tube], reach: &[f64], wall: &Wall) -> Vec
         centres.insert(0, exit.centre);
     }
     centres
-}
-
-/// A tube is thin beside another one if its radius is at most this share of it.
-const THIN: f64 = 0.6;
-
-/// Distance from the node, over the radius, from which on the place where a thin tube leaves a thick one is another one.
-const AWAY: f64 = 0.5;
-
-/// Steps along a tube in which the end of its part within another one is sought.
-const EXIT_STEPS: usize = 50;
-
-/// Length of a thick tube beside a core, in radii.
-const BESIDE_CORE: f64 = 0.85;
-
-/// The place on the axis of a thick tube next to which a thin one leaves it.
-#[derive(Clone, Copy)]
-struct Exit {
-    centre: DVec3,
-    /// The thick tube, the length from the node along it, and its radius.
-    tube: usize,
-    along: f64,
-    radius: f64,
-}
-
-/// The place where a thin tube leaves a thick one, if that is away from the node: there the thin one leaves it sideways, whatever their angle is.
-/// The farthest such place if there are several.
-fn exit(cluster: &Cluster, tubes: &[Tube], reach: &[f64]) -> Option<Exit> {
-    if !cluster.balls.is_empty() {
-        return None;
-    }
-    let place = |length: f64, k: usize| length * k as f64 / EXIT_STEPS as f64;
-    let ends = || cluster.ends.iter().zip(reach).enumerate();
-    let ball = |(tube, (end, &length)): (usize, (&End, &f64)), k: usize| {
-        let along = place(length, k);
-        let (centre, radius) = end.at(tubes, along);
-        Exit { centre, tube, along, radius }
-    };
-    let balls: Vec<Exit> = ends().flat_map(|end| (0..=EXIT_STEPS).map(move |k| ball(end, k))).collect();
-    let mut farthest: Option<Exit> = None;
-    for (index, (end, &length)) in ends() {
-        let thin = end.at(tubes, length).1;
-        let thick = || balls.iter().filter(|ball| ball.tube != index && thin <= THIN * ball.radius);
-        // The ball that contains a point of the axis deepest.
-        let around = |k: usize| {
-            let p = end.at(tubes, place(length, k)).0;
-            let depths = thick().map(|ball| (ball.radius - p.distance(ball.centre), ball));
-            let deepest = depths.max_by(|a, b| a.0.total_cmp(&b.0));
-            deepest.filter(|(depth, _)| *depth >= 0.0).map(|(_, ball)| *ball)
-        };
-        if thick().next().is_none() {
-            continue;
-        }
-        let Some(exit) = (0..EXIT_STEPS).rev().find_map(around) else { continue };
-        let away = |exit: &Exit| exit.along / exit.radius;
-        if away(&exit) > AWAY && farthest.is_none_or(|other| away(&exit) > away(&other)) {
-            farthest = Some(exit);
-        }
-    }
-    farthest
 }
 
 /// The mesh around a node before its vertices are optimised.
@@ -485,8 +314,11 @@ impl Plan<'_> {
         let depth = (-wall.distance(centre).0).max(0.3 * cluster.radius);
         let half = if cluster.balls.is_empty() { 0.42 } else { 0.5 } * depth;
         let size = core.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-        let mut corners: Vec<DVec3> =
-            core.vertices.iter().map(|p| assignment.rotation * (*p * (half / size))).collect();
+        let placed = |p: &DVec3| assignment.rotation * (*p * (half / size));
+        let mut corners: Vec<DVec3> = match &core.axis {
+            Some(_) => core.vertices.iter().map(|p| *p - centre).collect(),
+            None => core.vertices.iter().map(placed).collect(),
+        };
         let ball = (cluster.balls.len() == 1).then(|| cluster.balls[0]);
         if let Some((_, around)) = ball {
             let ray = |((end, &s), &quad): ((&End, &f64), &usize)| {
@@ -506,7 +338,8 @@ impl Plan<'_> {
         for &v in core.quads.iter().flatten() {
             if on_wall[v].is_none() {
                 on_wall[v] = Some(corners.len() as u32);
-                let direction = (corners[v] - centre).normalize_or(DVec3::X);
+                let from = core.axis.as_ref().map_or(centre, |axis| axis[v]);
+                let direction = (corners[v] - from).normalize_or(DVec3::X);
                 corners.push(wall.leave(corners[v], direction, depth));
             }
         }

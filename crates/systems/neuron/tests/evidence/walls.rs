@@ -466,3 +466,47 @@ fn a_turn_among_dense_samples_is_followed() {
         assert!(wall.is_within() == Some(true), "{spacing}: {wall:?}");
     }
 }
+
+/// A trunk of radius 1 along x that branches of these radii leave, each with the length to the one before and its direction about the trunk in degrees.
+fn trunk_with(branches: &[[f64; 3]]) -> String {
+    let mut text = "1 3 0 0 0 1 -1\n".to_owned();
+    let (mut x, mut last, mut number) = (8.0, 1, 2);
+    for [apart, radius, about] in branches {
+        x += apart;
+        writeln!(text, "{number} 3 {x} 0 0 1 {last}").unwrap();
+        (last, number) = (number, number + 1);
+        let mut parent = last;
+        for length in [1.1, 1.1 + 3.0 * radius, 1.1 + 7.0 * radius] {
+            let (y, z) = (length * about.to_radians().cos(), length * about.to_radians().sin());
+            writeln!(text, "{number} 3 {x} {y} {z} {radius} {parent}").unwrap();
+            (parent, number) = (number, number + 1);
+        }
+    }
+    writeln!(text, "{number} 3 {} 0 0 1 {last}", x + 8.0).unwrap();
+    text
+}
+
+#[test]
+fn thin_branches_close_to_one_another_are_followed() {
+    let mut random = Random(11);
+    let mut rows = vec![
+        vec![[0.0, 0.3, 0.0], [1.2, 0.3, 0.0]],
+        vec![[0.0, 0.5, 0.0], [1.6, 0.4, 180.0], [1.8, 0.2, 0.0], [1.3, 0.35, 90.0]],
+    ];
+    rows.push(
+        (0..6)
+            .map(|_| [random.between(1.2, 2.4), random.between(0.15, 0.5), random.between(0.0, 360.0)])
+            .collect(),
+    );
+    for branches in rows {
+        let text = trunk_with(&branches);
+        for report in [
+            mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report,
+            cubic_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report,
+        ] {
+            let wall = report.wall.as_ref().unwrap();
+            assert!(report.certified && report.left_out.is_empty(), "{branches:?}: {report:?}");
+            assert_eq!(wall.is_within(), Some(true), "{branches:?}: {wall:?}");
+        }
+    }
+}
