@@ -10,23 +10,29 @@ use pompeiu::core::mesh::{Precision, Rounding};
 use pompeiu::core::request::hexadecimal;
 use pompeiu::io::{Attributes, OutputFormat, ReadMesh, WriteError};
 use sha2::{Digest, Sha256};
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Refuses, before anything is read, what cannot be a mesh file.
 pub(crate) fn check_readable(path: &Path) -> anyhow::Result<()> {
+    let metadata = check_file(path, "a mesh file")?;
+    if metadata.is_file() && metadata.len() == 0 {
+        bail!("{}: the file is empty; give a file with a mesh in it", path.display())
+    }
+    Ok(())
+}
+
+/// Refuses, before anything is read, what cannot be a file of this kind, empty or not.
+pub(crate) fn check_file(path: &Path, kind: &str) -> anyhow::Result<Metadata> {
     let shown = path.display();
     match path.metadata() {
         Err(error) if error.kind() == ErrorKind::NotFound => {
             bail!("{shown}: there is no such file; check the name and the folder")
         }
         Err(error) => Err(error).with_context(|| shown.to_string()),
-        Ok(metadata) if metadata.is_dir() => bail!("{shown}: is a folder; name a mesh file in it"),
-        Ok(metadata) if metadata.is_file() && metadata.len() == 0 => {
-            bail!("{shown}: the file is empty; give a file with a mesh in it")
-        }
-        Ok(_) => Ok(()),
+        Ok(metadata) if metadata.is_dir() => bail!("{shown}: is a folder; name {kind} in it"),
+        Ok(metadata) => Ok(metadata),
     }
 }
 

@@ -1200,6 +1200,20 @@ CELL_TYPES 2
 ";
 
 #[test]
+fn a_skeleton_without_samples_is_told_so() {
+    let folder = Folder::new();
+    folder.write("empty.swc", "");
+    folder.write("comment.swc", "# nothing\n");
+    for name in ["empty.swc", "comment.swc"] {
+        for stage in ["check", "mesh", "flow"] {
+            let (code, _, stderr) = folder.transcript(&format!("neuron {stage} {name} --json"));
+            assert_eq!(code, Some(2), "{stderr}");
+            assert!(stderr.contains(&format!("{name}: there is no sample in the file")), "{stderr}");
+        }
+    }
+}
+
+#[test]
 fn cells_of_a_neuron_that_are_not_proven_are_named() {
     let folder = Folder::new();
     // A branch that turns at every sample, shorter between them than it is wide.

@@ -21,7 +21,7 @@ pub enum FlowError {
     },
     /// There is no inlet.
     #[error(
-        "no root of the skeleton is a flat end, so that there is no inlet: the root is inside the neuron or is a soma; name the sample of a tip with [inlet] sample, or for a mesh a side of it with [inlet] side"
+        "no root of the skeleton is a flat end, so that there is no inlet: the root is inside the neuron, is a soma, or lies on a branch that is left out; name the sample of a tip with [inlet] sample, or for a mesh a side of it with [inlet] side"
     )]
     NoInlet,
     /// The given sample is no flat end.

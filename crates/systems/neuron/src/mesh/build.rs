@@ -3,8 +3,9 @@
 use super::assembly::{Assembly, NodeBlocks};
 use super::cluster::Cluster;
 use super::cubic_node::START;
+use super::cut::Cut;
 use super::distance::{Net, Wanted, wall_distance};
-use super::layout::{Layout, layout};
+use super::layout::{Layout, Span, layout};
 use super::node::{mesh_node, sketch_node};
 use super::node_mesh::NodeMesh;
 use super::options::{FoldedNode, MeshError, MeshOptions, MeshReport, go_on};
@@ -117,6 +118,16 @@ pub(super) fn area_factor(sides: usize) -> f64 {
     (angle / libm::sin(angle)).sqrt()
 }
 
+/// The tubes and nodes of trilinear cells, without branches with which they would be folded.
+pub(super) fn unfolded_parts(
+    skeleton: &Skeleton,
+    options: &MeshOptions<'_>,
+    control: &Control,
+) -> Result<Parts, MeshError> {
+    let factor = area_factor(4 * options.parts);
+    Parts::without_folded(skeleton, options, (factor, Blocks::Linear(options.parts)), control)
+}
+
 /// The tubes and nodes of trilinear cells.
 pub(super) fn linear_parts(
     skeleton: &Skeleton,
@@ -185,6 +196,9 @@ pub(super) struct Parts {
     pub(super) nodes: Vec<Option<NodeMesh>>,
     /// Parts of the blocks of nodes along each edge, and the factor if their walls are drawn to the cones.
     of_nodes: (usize, Option<f64>),
+    division: Division,
+    /// Tubes that are left out because cells of nodes would be folded.
+    cut: Cut,
 }
 
 impl Parts {
@@ -196,16 +210,42 @@ impl Parts {
         effort: Effort,
         control: &Control,
     ) -> Result<Self, MeshError> {
+        let mut parts = Self::planned(skeleton, options, (factor, blocks))?;
+        parts.replace_nodes(skeleton, &parts.missing(), effort, (options, control))?;
+        Ok(parts)
+    }
+
+    /// The same without branches with which the cells of nodes stay folded, unless nothing would be left.
+    pub(super) fn without_folded(
+        skeleton: &Skeleton,
+        options: &MeshOptions<'_>,
+        (factor, blocks): (f64, Blocks),
+        control: &Control,
+    ) -> Result<Self, MeshError> {
+        let mut parts = Self::planned(skeleton, options, (factor, blocks))?;
+        let mut first = None;
+        loop {
+            match parts.replace_nodes(skeleton, &parts.missing(), Effort::Best, (options, control)) {
+                Err(MeshError::Nodes(nodes)) => {
+                    let error = first.get_or_insert(MeshError::Nodes(nodes)).clone();
+                    parts = parts.cut_at(skeleton, &parts.folded(skeleton)).ok_or(error)?;
+                }
+                other => return other.map(|_| parts),
+            }
+        }
+    }
+
+    /// Tubes and the layout of nodes, none of which is meshed.
+    fn planned(
+        skeleton: &Skeleton,
+        options: &MeshOptions<'_>,
+        (factor, blocks): (f64, Blocks),
+    ) -> Result<Self, MeshError> {
         if let Some(sample) = skeleton.samples().iter().find(|sample| sample.radius <= 0.0) {
             return Err(MeshError::ZeroRadius { sample: sample.id, line: sample.line });
         }
-        let (tubes, layout) = arranged(skeleton, factor);
-        let lengths: Vec<Option<RadialLength>> = layout
-            .spans
-            .iter()
-            .zip(&tubes)
-            .map(|(span, tube)| span.map(|[a, b]| RadialLength::new(tube, a.at, b.at)))
-            .collect();
+        let (tubes, layout, division) = arranged(skeleton, factor);
+        let lengths = lengths(&tubes, &layout);
         check_memory(&layout, &lengths, options)?;
         let of_nodes = match blocks {
             // One face between two corners of a section is beyond the tolerance by itself.
@@ -213,10 +253,48 @@ impl Parts {
             Blocks::Cubic => (START, None),
         };
         let nodes = vec![None; layout.clusters.len()];
-        let all: Vec<usize> = (0..nodes.len()).collect();
-        let mut parts = Self { factor, tubes, layout, lengths, nodes, of_nodes };
-        parts.replace_nodes(skeleton, &all, effort, (options, control))?;
-        Ok(parts)
+        Ok(Self { factor, tubes, layout, lengths, nodes, of_nodes, division, cut: Cut::default() })
+    }
+
+    /// The nodes that are not meshed.
+    pub(super) fn missing(&self) -> Vec<usize> {
+        (0..self.nodes.len()).filter(|node| self.nodes[*node].is_none()).collect()
+    }
+
+    /// The nodes whose cells are folded.
+    fn folded(&self, skeleton: &Skeleton) -> Vec<(usize, FoldedNode)> {
+        let quality =
+            |index: usize| self.nodes[index].as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
+        folded(
+            skeleton,
+            self.layout.clusters.iter().enumerate().map(|(index, cluster)| (cluster, quality(index))),
+        )
+    }
+
+    /// These tubes without one arm at each of some nodes, and what is beyond it. Nodes that stay as they are keep their meshes, the others have
+    /// none. `None` if nothing is left.
+    pub(super) fn cut_at(&self, skeleton: &Skeleton, nodes: &[(usize, FoldedNode)]) -> Option<Self> {
+        let of_clusters: Vec<_> =
+            nodes.iter().map(|(index, node)| (&self.layout.clusters[*index], *node)).collect();
+        let cut = self.cut.at_nodes(&self.tubes, &of_clusters);
+        let (tubes, layout) = arranged_with(skeleton, self.factor, self.division, &cut);
+        if layout.has_nothing() {
+            return None;
+        }
+        let kept = |(index, cluster): (usize, &Cluster)| {
+            let is_same = |other: &usize| {
+                let (before, reach) = (&self.layout.clusters[*other], &self.layout.reach[*other]);
+                before.samples == cluster.samples
+                    && before.ends == cluster.ends
+                    && *reach == layout.reach[index]
+            };
+            let other = (0..self.nodes.len()).find(is_same)?;
+            self.nodes[other].clone().filter(|_| nodes.iter().all(|(node, _)| *node != other))
+        };
+        let meshed = layout.clusters.iter().enumerate().map(kept).collect();
+        let lengths = lengths(&tubes, &layout);
+        let Self { factor, of_nodes, division, .. } = *self;
+        Some(Self { factor, tubes, layout, lengths, nodes: meshed, of_nodes, division, cut })
     }
 
     /// Meshes nodes, given by their indices, in the place of what they were. Returns whether there are any new ones.
@@ -237,7 +315,6 @@ impl Parts {
         }
         let quality = |node: &Option<NodeMesh>| node.as_ref().map_or(f64::NEG_INFINITY, |node| node.quality);
         let pairs = self.layout.clusters.iter().zip(&self.nodes);
-        let pairs = pairs.filter(|(cluster, _)| !cluster.ends.is_empty());
         refuse_folded(skeleton, pairs.map(|(cluster, node)| (cluster, quality(node))))?;
         Ok(is_new)
     }
@@ -308,35 +385,53 @@ impl Parts {
         caps.iter().map(cap).collect()
     }
 
+    /// A sentence about a root that is left out, if no other one is the inlet of a flow.
+    fn without_inlet(&self, skeleton: &Skeleton) -> Option<String> {
+        let is_left_out = |root: usize| {
+            let mut tubes = self.tubes.iter().enumerate().filter(|(_, tube)| tube.nodes.contains(&root));
+            tubes.all(|(tube, _)| self.layout.dropped.contains(&tube))
+        };
+        let mut ends = skeleton.roots().filter(|root| skeleton.degree(*root) == 1);
+        let first = ends.next().filter(|root| is_left_out(*root) && ends.all(is_left_out))?;
+        let sample = skeleton.samples()[first].id;
+        Some(format!(
+            "the root, sample {sample}, is left out, so that flow has no inlet: name the sample of another end for it"
+        ))
+    }
+
     /// Sentences about branches that are not meshed.
     pub(super) fn left_out(&self, skeleton: &Skeleton) -> Vec<String> {
         let sentence = |&t: &usize| {
             let [a, b] = self.tubes[t].nodes.map(|node| skeleton.samples()[node].id);
-            format!(
-                "the branch from sample {a} to {b}, {:.4} long, ends too near to its node",
-                self.tubes[t].length()
-            )
+            let why = match self.cut.node(t) {
+                Some(node) => format!("is left out: {node}"),
+                None if self.cut.contains(t) => "lies beyond a branch that is left out".to_owned(),
+                None => "ends too near to its node".to_owned(),
+            };
+            format!("the branch from sample {a} to {b}, {:.4} long, {why}", self.tubes[t].length())
         };
-        self.layout.dropped.iter().map(sentence).collect()
+        let mut found: Vec<String> = self.layout.dropped.iter().map(sentence).collect();
+        found.extend(self.without_inlet(skeleton));
+        found
     }
 }
 
 /// The tubes and the layout of the nodes between them. Where the corners of a tube have no room beside its nodes, its samples are moved. Branches
 /// are divided where they turn back, unless that leaves nothing to mesh.
-pub(super) fn arranged(skeleton: &Skeleton, factor: f64) -> (Vec<Tube>, Layout) {
-    let found = arranged_with(skeleton, factor, Division::AtFolds);
-    let is_left_out = |layout: &Layout| {
-        let has_no_arm = layout.clusters.iter().all(|cluster| cluster.ends.is_empty());
-        has_no_arm && layout.spans.iter().all(Option::is_none)
+pub(super) fn arranged(skeleton: &Skeleton, factor: f64) -> (Vec<Tube>, Layout, Division) {
+    let with = |division| {
+        let (tubes, layout) = arranged_with(skeleton, factor, division, &Cut::default());
+        (tubes, layout, division)
     };
-    if is_left_out(&found.1) { arranged_with(skeleton, factor, Division::None) } else { found }
+    let found = with(Division::AtFolds);
+    if found.1.has_nothing() { with(Division::None) } else { found }
 }
 
-fn arranged_with(skeleton: &Skeleton, factor: f64, division: Division) -> (Vec<Tube>, Layout) {
+fn arranged_with(skeleton: &Skeleton, factor: f64, division: Division, cut: &Cut) -> (Vec<Tube>, Layout) {
     let mut is_moved = Vec::new();
     loop {
         let tubes = tubes(skeleton, (factor, division), &is_moved);
-        let layout = layout(skeleton, &tubes, factor);
+        let layout = layout(skeleton, &tubes, factor, cut);
         is_moved.resize(tubes.len(), false);
         let mut is_done = true;
         for ((span, tube), is_moved) in layout.spans.iter().zip(&tubes).zip(&mut is_moved) {
@@ -350,6 +445,13 @@ fn arranged_with(skeleton: &Skeleton, factor: f64, division: Division) -> (Vec<T
             return (tubes, layout);
         }
     }
+}
+
+/// The lengths in radii of the tubes' own meshes.
+fn lengths(tubes: &[Tube], layout: &Layout) -> Vec<Option<RadialLength>> {
+    let length =
+        |(span, tube): (&Option<[Span; 2]>, &Tube)| span.map(|[a, b]| RadialLength::new(tube, a.at, b.at));
+    layout.spans.iter().zip(tubes).map(length).collect()
 }
 
 /// For each boundary face 0 if it lies on the wall, and 1 + k if it lies on cap k.
@@ -384,17 +486,26 @@ fn check_memory(
 }
 
 /// An error that names the nodes whose cells are folded.
-pub(super) fn refuse_folded<'c>(
+fn refuse_folded<'c>(
     skeleton: &Skeleton,
     nodes: impl Iterator<Item = (&'c Cluster, f64)>,
 ) -> Result<(), MeshError> {
-    let folded = nodes.filter(|(_, quality)| *quality <= 0.0);
-    let node = |(cluster, quality): (&Cluster, f64)| {
-        let sample = skeleton.samples()[cluster.samples[0]];
-        FoldedNode { sample: sample.id, line: sample.line, arms: cluster.ends.len(), quality }
-    };
-    let folded: Vec<_> = folded.map(node).collect();
+    let folded: Vec<_> = folded(skeleton, nodes).into_iter().map(|(_, node)| node).collect();
     if folded.is_empty() { Ok(()) } else { Err(MeshError::Nodes(folded)) }
+}
+
+/// The nodes whose cells are folded, by their indices.
+pub(super) fn folded<'c>(
+    skeleton: &Skeleton,
+    nodes: impl Iterator<Item = (&'c Cluster, f64)>,
+) -> Vec<(usize, FoldedNode)> {
+    let node = |(index, (cluster, quality)): (usize, (&Cluster, f64))| {
+        let sample = skeleton.samples()[cluster.samples[0]];
+        (index, FoldedNode { sample: sample.id, line: sample.line, arms: cluster.ends.len(), quality })
+    };
+    let folded =
+        nodes.enumerate().filter(|(_, (cluster, quality))| *quality <= 0.0 && !cluster.ends.is_empty());
+    folded.map(node).collect()
 }
 
 /// The mean of the corners of a cell.

@@ -30,7 +30,7 @@ pub(crate) struct Causes {
 impl Causes {
     /// Those of a mesh with so many parts of each block along each edge.
     pub(crate) fn new(skeleton: &Skeleton, parts: usize) -> Self {
-        let (tubes, layout) = arranged(skeleton, area_factor(4 * parts));
+        let (tubes, layout, _) = arranged(skeleton, area_factor(4 * parts));
         let samples = skeleton.samples();
         let mut places: BTreeMap<usize, Vec<(usize, [f64; 2])>> = BTreeMap::new();
         for (index, tube) in tubes.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Tricubic meshes of neurons.
 
 use super::assembly::{Assembly, NodeBlocks};
-use super::build::{Blocks, Cap, Effort, Parts, labels, mean, refuse_folded};
+use super::build::{Blocks, Cap, Effort, Parts, folded, labels, mean};
 use super::cubic_node::{CubicNode, START, Unfolding, bend};
 use super::distance::{Net, Wanted, wall_distance};
 use super::linear::{Labelled, linear_shares};
@@ -136,17 +136,9 @@ pub fn cubic_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Cu
 fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, MeshError> {
     let control = Control::start(&options.limits);
     let section = Section::new();
-    let parts =
-        Parts::new(skeleton, options, (section.area_factor(), Blocks::Cubic), Effort::Best, &control)?;
-    let indices = (0..parts.nodes.len()).into_par_iter();
-    let bent: Vec<Option<BentNode>> =
-        indices.map(|index| bent(&parts, index, (&section, options.within), &control)).collect();
-    go_on(&control)?;
-    let pairs = parts.layout.clusters.iter().zip(&bent);
-    refuse_folded(
-        skeleton,
-        pairs.filter_map(|(cluster, node)| Some((cluster, node.as_ref()?.cells.quality))),
-    )?;
+    let blocks = (section.area_factor(), Blocks::Cubic);
+    let parts = Parts::without_folded(skeleton, options, blocks, &control)?;
+    let (parts, bent) = unfolded(skeleton, parts, &section, (options, &control))?;
     let nodes: Vec<Option<NodeBlocks<'_>>> = parts
         .nodes
         .iter()
@@ -168,6 +160,30 @@ fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<CubicMesh, Mes
         return Err(MeshError::NoBranch);
     }
     finish(skeleton, &parts, assembled, (options, &control))
+}
+
+/// Nodes with tricubic cells, without branches with which they stay folded.
+fn unfolded(
+    skeleton: &Skeleton,
+    mut parts: Parts,
+    section: &Section,
+    (options, control): (&MeshOptions<'_>, &Control),
+) -> Result<(Parts, Vec<Option<BentNode>>), MeshError> {
+    loop {
+        let indices = (0..parts.nodes.len()).into_par_iter();
+        let bent: Vec<Option<BentNode>> =
+            indices.map(|index| bent(&parts, index, (section, options.within), control)).collect();
+        go_on(control)?;
+        let quality =
+            |node: &Option<BentNode>| node.as_ref().map_or(f64::INFINITY, |node| node.cells.quality);
+        let folded = folded(skeleton, parts.layout.clusters.iter().zip(bent.iter().map(quality)));
+        if folded.is_empty() {
+            return Ok((parts, bent));
+        }
+        let error = || MeshError::Nodes(folded.iter().map(|(_, node)| *node).collect());
+        parts = parts.cut_at(skeleton, &folded).ok_or_else(error)?;
+        parts.replace_nodes(skeleton, &parts.missing(), Effort::Best, (options, control))?;
+    }
 }
 
 /// A node with tricubic cells.

@@ -4,7 +4,7 @@
 //! the nodes there are meshed as well as they can be. So what is said about a skeleton that cannot be meshed is what its mesh says; and a mesh that is
 //! not as asked takes the sketches there if they are.
 
-use super::build::{Effort, NeuronMesh, Parts, assembled, linear_parts};
+use super::build::{Effort, NeuronMesh, Parts, assembled, linear_parts, unfolded_parts};
 use super::distance::Wanted;
 use super::node_mesh::NodeMesh;
 use super::options::{MeshError, MeshOptions, MeshReport, WallDistance};
@@ -34,7 +34,7 @@ pub fn mesh_neuron(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<Neu
 
 fn mesh(skeleton: &Skeleton, options: &MeshOptions<'_>) -> Result<NeuronMesh, MeshError> {
     let control = Control::start(&options.limits);
-    let parts = linear_parts(skeleton, options, Effort::Best, &control)?;
+    let parts = unfolded_parts(skeleton, options, &control)?;
     let mesh = assembled(skeleton, &parts, options.measure.then_some(Wanted::Enclosed), (options, &control))?;
     or_sketched(skeleton, parts, mesh, (options, &control))
 }

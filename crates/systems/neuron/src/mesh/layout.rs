@@ -1,6 +1,7 @@
 //! Clusters of nodes that are meshed together, and tubes too short to be meshed.
 
 use super::cluster::Cluster;
+use super::cut::Cut;
 use super::exit::longer_arm;
 use super::tube::{End, Tube, is_ball};
 use crate::Skeleton;
@@ -27,6 +28,13 @@ pub(super) struct Layout {
     pub(super) dropped: Vec<usize>,
 }
 
+impl Layout {
+    /// Whether nothing is meshed.
+    pub(super) fn has_nothing(&self) -> bool {
+        self.clusters.iter().all(|cluster| cluster.ends.is_empty()) && self.spans.iter().all(Option::is_none)
+    }
+}
+
 /// One end of the mesh of a tube.
 #[derive(Clone, Copy)]
 pub(super) struct Span {
@@ -38,7 +46,8 @@ pub(super) struct Span {
 
 /// Finds clusters: starts with one per node, merges those whose tubes have no room between them, and omits tips without room, until
 /// nothing changes.
-pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout {
+/// Tubes that are left out anyway are omitted from the beginning.
+pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64, cut: &Cut) -> Layout {
     let mut ends: BTreeMap<usize, usize> = BTreeMap::new();
     for tube in tubes {
         tube.nodes.iter().for_each(|&node| *ends.entry(node).or_default() += 1);
@@ -49,7 +58,7 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64) -> Layout
         .map(|(&node, _)| node)
         .collect();
     let mut leader: BTreeMap<usize, usize> = nodes.iter().map(|&node| (node, node)).collect();
-    let mut dropped = vec![false; tubes.len()];
+    let mut dropped: Vec<bool> = (0..tubes.len()).map(|tube| cut.contains(tube)).collect();
     loop {
         let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (&node, &to) in &leader {

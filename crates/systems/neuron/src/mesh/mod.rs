@@ -16,6 +16,7 @@ mod cubic;
 mod cubic_energy;
 mod cubic_follow;
 mod cubic_node;
+mod cut;
 mod decide;
 mod distance;
 mod energy;

@@ -81,7 +81,7 @@ pub struct MeshReport {
     /// The distance of the mesh's wall from the surface of the skeleton's cones, both ways; omitted if it was not computed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub wall: Option<WallDistance>,
-    /// Sentences about branches that were too short to be meshed; omitted if there are none.
+    /// Sentences about branches that are not meshed, because they are too short or the cells of their nodes would be folded; omitted if there are none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<String>>"))]
     pub left_out: Vec<String>,

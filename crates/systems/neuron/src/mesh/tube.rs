@@ -476,7 +476,7 @@ fn ends(samples: &[usize]) -> [usize; 2] {
 const MOST_CONES: f64 = 20_000.0;
 
 /// A tube as seen from a node at one of its ends.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct End {
     pub(super) tube: usize,
     /// Whether the node is at the tube's first end.

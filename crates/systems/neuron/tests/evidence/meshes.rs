@@ -196,6 +196,32 @@ fn what_cannot_be_meshed_is_refused() {
 }
 
 #[test]
+fn branches_with_which_cells_stay_folded_are_left_out_by_name() {
+    // A turn at sample 6 into which the next branch leans.
+    let text = "1 3 0 0 0 1 -1\n2 3 2.7079 0 0 0.9288 1\n3 3 3.3393 3.0858 -0.6193 0.9519 2\n\
+        4 3 4.6457 1.7473 1.778 0.9244 3\n5 3 2.7649 4.4758 2.8141 0.8506 4\n6 3 3.3255 3.54 4.2623 0.7676 5\n\
+        7 3 4.496 4.8227 4.723 0.7976 6\n8 3 5.7947 0.9246 2.232 0.4648 4\n9 3 6.0235 2.6464 2.4623 0.4588 8\n\
+        10 3 2.6636 1.9296 5.1073 0.6109 6\n11 3 1.2717 2.4645 3.8224 0.5584 10\n12 3 1.3369 3.1725 4.9896 0.53 11\n\
+        13 3 6.2413 0.0036 2.4294 0.3667 8\n14 3 6.8956 0.4126 2.1699 0.3795 13\n";
+    let report = mesh(text, &MeshOptions::default()).report;
+    assert!(report.certified && report.wall.unwrap().is_within() == Some(false));
+    let named = "the branch from sample 6 to 7, 1.7966 long, is left out: the node at sample 6 with";
+    assert!(report.left_out.iter().any(|branch| branch.starts_with(named)), "{:?}", report.left_out);
+}
+
+#[test]
+fn a_root_that_is_left_out_is_told() {
+    // The root's branch ends within the ball of its node.
+    let text = "1 2 0 1.2 0 0.9 -1\n2 2 0 0 0 1 1\n3 2 12 0 0 1 2\n4 2 -12 0 0 1 2\n";
+    let found = mesh(text, &quick());
+    assert_eq!((found.caps.len(), found.report.left_out.len()), (2, 2));
+    assert!(
+        found.report.left_out[1].starts_with("the root, sample 1, is left out, so that flow has no inlet")
+    );
+    assert!(found.caps.iter().all(|cap| !cap.is_root));
+}
+
+#[test]
 fn the_same_bits_at_any_number_of_threads() {
     let text = "1 2 -12 0 0 1 -1\n2 2 0 0 0 1 1\n3 2 12 9 0 1 2\n4 2 12 -9 0 1 2\n5 2 24 18 5 1 3\n6 2 24 9 -5 1 3\n";
     let at = |threads| {

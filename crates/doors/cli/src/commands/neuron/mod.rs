@@ -75,11 +75,12 @@ fn is_pairs(text: &str) -> bool {
 /// Reads a skeleton, or a mesh.
 fn source(path: &Path) -> anyhow::Result<NeuronSource> {
     let shown = || path.display().to_string();
+    if !is_mesh(path) {
+        files::check_file(path, "a skeleton")?;
+        return Ok(NeuronSource::skeleton(std::fs::read(path).with_context(shown)?));
+    }
     files::check_readable(path)?;
     let content = std::fs::read(path).with_context(shown)?;
-    if !is_mesh(path) {
-        return Ok(NeuronSource::skeleton(content));
-    }
     let read = pompeiu::io::read_hexahedra(path)?;
     let positions = read.positions.into_iter().map(Into::into).collect();
     Ok(NeuronSource::mesh(content, HexMesh::new(positions, read.cells).with_context(shown)?, read.labels))
