@@ -57,21 +57,7 @@ pub(super) fn bend(
 ) -> CubicNode {
     let wall = cluster.wall(tubes, reach);
     let scale = (-wall.distance(cluster.centre).0).max(0.3 * cluster.radius);
-    let mut refinement = Refinement::new(3);
-    let mut start = node.refinement.clone();
-    let mut cells: Vec<[u32; 64]> = Vec::with_capacity(node.blocks.len());
-    let mut positions: Vec<DVec3> = Vec::new();
-    for block in &node.blocks {
-        let lattice = refinement.lattice(*block);
-        let coarse: Vec<DVec3> = start.lattice(*block).iter().map(|&v| node.positions[v as usize]).collect();
-        for (k, &number) in lattice.iter().enumerate() {
-            if number as usize >= positions.len() {
-                positions.resize(number as usize + 1, DVec3::ZERO);
-                positions[number as usize] = between(&coarse, place_of_64(k));
-            }
-        }
-        cells.push(std::array::from_fn(|k| lattice[k]));
-    }
+    let (refinement, cells, mut positions) = started(node);
     let (fixed, on_wall, faces) =
         boundary(cluster, tubes, node, &refinement, section, &cells, &mut positions);
     let sizes: Vec<f64> = if cluster.has_small_cells(tubes, reach, scale) {
@@ -106,26 +92,9 @@ pub(super) fn bend(
     };
     let draft =
         |table| Draft { energy: energy(table), wall: &wall, on_wall: &on_wall, free: &free, inner: &inner };
-    let mut best: Option<Bent> = None;
     let tables = if effort == Unfolding::Much { &[&few, &many][..] } else { &[&few] };
-    'tables: for table in tables {
-        let draft = draft(table);
-        draft.untangle(&mut positions);
-        let untangled = positions.clone();
-        // Mean ratios keep derivatives from vanishing between the points, where nothing else would see it.
-        for even in [0.0, EVEN] {
-            positions.clone_from(&untangled);
-            draft.improve(even, &mut positions);
-            let found = measured(positions.clone());
-            let is_done = found.certified;
-            if is_done || best.is_none() {
-                best = Some(found);
-            }
-            if is_done {
-                break 'tables;
-            }
-        }
-    }
+    let drafts: Vec<Draft<'_>> = tables.iter().map(|table| draft(table)).collect();
+    let best = drafted(&drafts, &mut positions, &measured);
     // Between the points of cells it may be much less than at them.
     let proven = |bent: Bent| {
         let quality = if bent.certified { proven(&cells, &bent.points, bent.quality) } else { bent.quality };
@@ -148,6 +117,50 @@ pub(super) fn bend(
     }
     let is_good = best.certified && best.off <= CLOSE * within;
     CubicNode { refinement, fitness: best.fitness(), points: best.points, quality: best.quality, is_good }
+}
+
+/// The lattices of the blocks of a node, its cells, and positions between those of its trilinear mesh.
+fn started(node: &NodeMesh) -> (Refinement, Vec<[u32; 64]>, Vec<DVec3>) {
+    let mut refinement = Refinement::new(3);
+    let mut start = node.refinement.clone();
+    let mut cells: Vec<[u32; 64]> = Vec::with_capacity(node.blocks.len());
+    let mut positions: Vec<DVec3> = Vec::new();
+    for block in &node.blocks {
+        let lattice = refinement.lattice(*block);
+        let coarse: Vec<DVec3> = start.lattice(*block).iter().map(|&v| node.positions[v as usize]).collect();
+        for (k, &number) in lattice.iter().enumerate() {
+            if number as usize >= positions.len() {
+                positions.resize(number as usize + 1, DVec3::ZERO);
+                positions[number as usize] = between(&coarse, place_of_64(k));
+            }
+        }
+        cells.push(std::array::from_fn(|k| lattice[k]));
+    }
+    (refinement, cells, positions)
+}
+
+/// The first of these drafts that is proven, without and with mean ratios, or else the first one.
+fn drafted(
+    drafts: &[Draft<'_>],
+    positions: &mut Vec<DVec3>,
+    measured: &dyn Fn(Vec<DVec3>) -> Bent,
+) -> Option<Bent> {
+    let mut first: Option<Bent> = None;
+    for draft in drafts {
+        draft.untangle(positions);
+        let untangled = positions.clone();
+        // Mean ratios keep derivatives from vanishing between the points, where nothing else would see it.
+        for even in [0.0, EVEN] {
+            positions.clone_from(&untangled);
+            draft.improve(even, positions);
+            let found = measured(positions.clone());
+            if found.certified {
+                return Some(found);
+            }
+            first.get_or_insert(found);
+        }
+    }
+    first
 }
 
 /// A lower bound on the scaled Jacobian over all cells.

@@ -1,5 +1,7 @@
 //! Tubes: the parts of branches between two nodes.
 
+use super::folds::{Division, divided};
+use super::path::{ROOM, deviation, half_tangent, is_beyond_mitres, relax, thinned};
 use super::profile::Profile;
 use crate::curve::{ArcLength, Curve};
 use crate::{RoundCone, SOMA, Skeleton, Soma};
@@ -247,8 +249,7 @@ impl Tube {
         let mitre = |k: usize| {
             let directions = [k - 1, k].map(|k| (points[k + 1].0 - points[k].0).normalize_or_zero());
             let cosine = directions[0].dot(directions[1]);
-            // tan θ/2 from cos θ.
-            let tangent = ((1.0 - cosine) / (1.0 + cosine)).max(0.0).sqrt();
+            let tangent = half_tangent(cosine);
             let (at, radius) = (lengths[k], points[k].1);
             let room = SHARED_ROOM * (at - lengths[k - 1]).min(lengths[k + 1] - at);
             let is_shared = cosine < libm::cos(SHARED_FROM.to_radians()) && (tangent + GAP) * radius <= room;
@@ -318,40 +319,8 @@ const HALVINGS: usize = 50;
 /// Smallest distance of a section where the radius changes fast from another one, in radii.
 const KINK_ROOM: f64 = 0.25;
 
-/// Largest share of a segment that the sections at its ends may take.
-const ROOM: f64 = 0.9;
-
 /// Largest distance of a smooth axis from the polyline through the samples, over the radius.
 const WITHIN: f64 = 0.1;
-
-/// Largest turn, in degrees, at which the section lies in the bisecting plane: beyond it cells are too slanted.
-const MOST_MITRE: f64 = 125.0;
-
-/// Steps per span of a spline whose distance from the samples is computed.
-const STEPS_PER_SPAN: usize = 8;
-
-/// The larger one of the two distances, over the radius, from the spline of points to the polyline through samples and back.
-fn deviation(points: &[(DVec3, f64)], samples: &[(DVec3, f64)]) -> f64 {
-    let curve = Curve::new(points.iter().copied());
-    let steps = STEPS_PER_SPAN * curve.end() as usize;
-    let on_curve: Vec<(DVec3, f64)> =
-        (0..=steps).map(|k| curve.at(curve.end() * k as f64 / steps as f64)).collect();
-    farthest(&on_curve, samples).max(farthest(samples, &on_curve))
-}
-
-/// The greatest distance of points from a path, over their radii. Points and path run the same way, so that the segments near the same
-/// share of the whole suffice.
-fn farthest(points: &[(DVec3, f64)], path: &[(DVec3, f64)]) -> f64 {
-    let spans = path.len() - 1;
-    let around = (spans / 8).max(4 * STEPS_PER_SPAN);
-    let distance = |(i, (p, radius)): (usize, &(DVec3, f64))| {
-        let middle = i * spans / points.len();
-        let near = middle.saturating_sub(around)..(middle + around).min(spans);
-        let axis = |k: usize| RoundCone { ends: [path[k].0, path[k + 1].0], radii: [0.0; 2] };
-        near.map(|k| axis(k).distance(*p).0).fold(f64::INFINITY, f64::min) / radius
-    };
-    points.iter().enumerate().map(distance).fold(0.0, f64::max)
-}
 
 /// The tube through samples: smooth if the spline is within the tolerance of them, otherwise the polyline with a mitre at each sample. If the
 /// mitres have no room or `is_moved` asks for it, the samples are moved until the spline can be meshed.
@@ -365,107 +334,12 @@ fn tube(samples: Vec<usize>, through: &[(DVec3, f64)], factor: f64, is_moved: bo
     let corners = thinned(through).into_iter().map(|k| through[k]).collect();
     let straight = Tube::straight(samples, corners, factor);
     let length = straight.length();
-    let least = libm::cos(MOST_MITRE.to_radians());
-    let is_slanted = |mitre: &Mitre| mitre.directions[0].dot(mitre.directions[1]) < least;
+    let is_slanted = |mitre: &Mitre| is_beyond_mitres(mitre.directions[0].dot(mitre.directions[1]));
     if !is_moved && straight.has_room(0.0, length) && !straight.mitres(0.0, length).iter().any(is_slanted) {
         return straight;
     }
     Tube::smooth(straight.samples, &points, factor, moved)
 }
-
-/// Largest distance of a sample from the segment past it, and of its radius from that there, over its radius.
-const ON_SEGMENT: f64 = 0.02;
-
-/// The samples at which a polyline turns or its radius changes: sections at the others would only take room from these.
-fn thinned(points: &[(DVec3, f64)]) -> Vec<usize> {
-    let mut kept = vec![false; points.len()];
-    (kept[0], kept[points.len() - 1]) = (true, true);
-    let mut parts = vec![(0, points.len() - 1)];
-    while let Some((from, to)) = parts.pop() {
-        let [a, b] = [points[from], points[to]];
-        let way = b.0 - a.0;
-        let off = |k: usize| {
-            let (p, radius) = points[k];
-            let square = way.length_squared();
-            let share = if square > 0.0 { ((p - a.0).dot(way) / square).clamp(0.0, 1.0) } else { 0.0 };
-            (p.distance(a.0 + way * share)).max((radius - a.1 - (b.1 - a.1) * share).abs()) / radius
-        };
-        let farthest = (from + 1..to).map(|k| (off(k), k)).max_by(|x, y| x.0.total_cmp(&y.0));
-        if let Some((_, k)) = farthest.filter(|(most, _)| *most > ON_SEGMENT) {
-            kept[k] = true;
-            parts.extend([(from, k), (k, to)]);
-        }
-    }
-    (0..points.len()).filter(|k| kept[*k]).collect()
-}
-
-/// Distance of the axis from the samples beyond which a branch is divided rather than moved, over the radius.
-const MOST_MOVED: f64 = 0.2;
-
-/// Least length of the two segments at a sample at which a branch is divided, in radii.
-const DIVIDED_ROOM: f64 = 1.0;
-
-/// The samples at which a branch is divided, so that they are nodes: where it turns too sharply for a mitre, though it is long on both sides, and where
-/// its mitre has no room beside that of another turn, or beside a tip.
-fn folds(points: &[(DVec3, f64)], are_tips: [bool; 2]) -> Vec<usize> {
-    let mut relaxed = points.to_vec();
-    relax(&mut relaxed);
-    let is_moved = deviation(&relaxed, points) > MOST_MOVED;
-    let least = libm::cos(MOST_MITRE.to_radians());
-    let corner = |triple: &[usize]| {
-        let [a, b, c] = [points[triple[0]], points[triple[1]], points[triple[2]]];
-        let (before, after) = (b.0 - a.0, c.0 - b.0);
-        let cosine = before.normalize_or_zero().dot(after.normalize_or_zero());
-        let is_fold = cosine < least && before.length().min(after.length()) >= DIVIDED_ROOM * b.1;
-        let tangent = ((1.0 - cosine) / (1.0 + cosine).max(f64::MIN_POSITIVE)).max(0.0).sqrt();
-        Corner {
-            at: triple[1],
-            is_fold,
-            is_sharp: cosine < libm::cos(HOOK_FROM.to_radians()),
-            reach: b.1 * tangent,
-        }
-    };
-    let mut corners: Vec<Corner> = thinned(points).windows(3).map(corner).collect();
-    let ends = [0, points.len() - 1].into_iter().zip(are_tips).filter(|(_, is_tip)| *is_tip);
-    corners.extend(ends.map(|(at, _)| Corner { at, is_fold: false, is_sharp: false, reach: 0.0 }));
-    corners.sort_unstable_by_key(|corner| corner.at);
-    let is_fold = |corner: &&Corner| is_moved && corner.is_fold;
-    let mut found: Vec<usize> = corners.iter().filter(is_fold).map(|corner| corner.at).collect();
-    let is_end = |corner: &Corner| corner.at == 0 || corner.at + 1 == points.len();
-    for pair in corners.windows(2) {
-        let [a, b] = [&pair[0], &pair[1]];
-        // A hook at a tip is within the tolerance, but no section is between.
-        let is_hook = (is_end(a) && b.is_sharp) || (is_end(b) && a.is_sharp);
-        let has_room = a.reach + b.reach <= ROOM * points[a.at].0.distance(points[b.at].0);
-        let is_divided = found.contains(&a.at) || found.contains(&b.at);
-        if !has_room && !is_divided && (is_moved || is_hook) {
-            found.push(if a.reach >= b.reach { a.at } else { b.at });
-        }
-    }
-    found.retain(|at| *at > 0 && at + 1 < points.len());
-    found.sort_unstable();
-    found
-}
-
-/// Whether branches are divided at their folds.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Division {
-    AtFolds,
-    None,
-}
-
-/// A sample at which a branch turns, or a tip.
-struct Corner {
-    at: usize,
-    /// Whether the turn is too sharp for a mitre, and long on both sides.
-    is_fold: bool,
-    is_sharp: bool,
-    /// The length that its mitre takes on each side.
-    reach: f64,
-}
-
-/// Turn, in degrees, from which on a tip without room for the mitre before it is a hook.
-const HOOK_FROM: f64 = 42.0;
 
 /// The first sample and the last.
 fn ends(samples: &[usize]) -> [usize; 2] {
@@ -581,56 +455,4 @@ fn balls(skeleton: &Skeleton, path: &[usize], factor: f64) -> Vec<(DVec3, f64)> 
         points[last].1 = points[last.saturating_sub(1)].1;
     }
     points
-}
-
-/// A path and its balls.
-type Part = (Vec<usize>, Vec<(DVec3, f64)>);
-
-/// The parts of a path between its folds, without balls at the place of the one before.
-fn divided(path: &[usize], balls: &[(DVec3, f64)], (division, are_tips): (Division, [bool; 2])) -> Vec<Part> {
-    let mut kept: Vec<usize> = (0..path.len()).collect();
-    kept.dedup_by(|b, a| balls[*a].0 == balls[*b].0);
-    let points: Vec<(DVec3, f64)> = kept.iter().map(|k| balls[*k]).collect();
-    if points.len() < 2 {
-        return vec![(path.to_vec(), vec![points[0]; 2])];
-    }
-    let mut ends = vec![0];
-    if division == Division::AtFolds {
-        ends.extend(folds(&points, are_tips));
-    }
-    ends.push(points.len() - 1);
-    let part = |pair: &[usize]| {
-        let [a, b] = [pair[0], pair[1]];
-        let last = if b + 1 == points.len() { path.len() - 1 } else { kept[b] };
-        (path[kept[a]..=last].to_vec(), points[a..=b].to_vec())
-    };
-    ends.windows(2).map(part).collect()
-}
-
-/// Largest number of smoothing steps.
-const MOST_STEPS: usize = 60;
-
-/// Largest product of curvature and radius after smoothing.
-const MOST_BEND: f64 = 0.6;
-
-/// Moves control points halfway to the mean of their neighbours where the curve bends too much for its radius.
-fn relax(points: &mut [(DVec3, f64)]) {
-    for _ in 0..MOST_STEPS {
-        let bent: Vec<usize> = (1..points.len().saturating_sub(1))
-            .filter(|&k| {
-                let (a, b, c) = (points[k - 1].0, points[k].0, points[k + 1].0);
-                let area = (b - a).cross(c - b).length();
-                let sides = a.distance(b) * b.distance(c) * a.distance(c);
-                // The circle through three points; the spline bends less.
-                2.0 * area * points[k].1 > MOST_BEND * sides || (b - a).dot(c - b) < 0.0
-            })
-            .collect();
-        if bent.is_empty() {
-            return;
-        }
-        let before = points.to_vec();
-        for k in bent {
-            points[k].0 = 0.5 * before[k].0 + 0.25 * (before[k - 1].0 + before[k + 1].0);
-        }
-    }
 }
