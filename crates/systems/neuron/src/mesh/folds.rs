@@ -1,6 +1,6 @@
 //! Where branches turn too sharply to be one tube: they are divided there, so that the samples are nodes.
 
-use super::path::{ROOM, deviation, half_tangent, is_beyond_mitres, relax, thinned};
+use super::path::{ROOM, deviation, half_tangent, is_alone, is_beyond_mitres, relax, thinned};
 use glam::DVec3;
 
 /// Distance of the axis from the samples beyond which a branch is divided rather than moved, over the radius.
@@ -9,8 +9,8 @@ const MOST_MOVED: f64 = 0.2;
 /// Least length of the two segments at a sample at which a branch is divided, in radii.
 const DIVIDED_ROOM: f64 = 1.0;
 
-/// The samples at which a branch is divided, so that they are nodes: where it turns too sharply for a mitre, though it is long on both sides, and where
-/// its mitre has no room beside that of another turn, or beside a tip.
+/// The samples at which a branch is divided, so that they are nodes: where it turns too sharply for a mitre, or for one that
+/// has no room to share the turn, though it is long on both sides, and where its mitre has no room beside that of another turn, or beside a tip.
 fn folds(points: &[(DVec3, f64)], are_tips: [bool; 2]) -> Vec<usize> {
     let mut relaxed = points.to_vec();
     relax(&mut relaxed);
@@ -19,7 +19,8 @@ fn folds(points: &[(DVec3, f64)], are_tips: [bool; 2]) -> Vec<usize> {
         let [a, b, c] = [points[triple[0]], points[triple[1]], points[triple[2]]];
         let (before, after) = (b.0 - a.0, c.0 - b.0);
         let cosine = before.normalize_or_zero().dot(after.normalize_or_zero());
-        let is_fold = is_beyond_mitres(cosine) && before.length().min(after.length()) >= DIVIDED_ROOM * b.1;
+        let room = before.length().min(after.length()) / b.1;
+        let is_fold = (is_beyond_mitres(cosine) || is_alone(cosine, room)) && room >= DIVIDED_ROOM;
         Corner {
             at: triple[1],
             is_fold,
@@ -59,7 +60,7 @@ pub(super) enum Division {
 /// A sample at which a branch turns, or a tip.
 struct Corner {
     at: usize,
-    /// Whether the turn is too sharp for a mitre, and long on both sides.
+    /// Whether the turn is too sharp for its mitre, and long on both sides.
     is_fold: bool,
     is_sharp: bool,
     /// The length that its mitre takes on each side.

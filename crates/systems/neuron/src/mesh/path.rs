@@ -10,6 +10,28 @@ pub(super) const ROOM: f64 = 0.9;
 /// Largest turn, in degrees, at which the section lies in the bisecting plane: beyond it cells are too slanted.
 const MOST_MITRE: f64 = 125.0;
 
+/// Angle in degrees from which on slanted sections before and after a mitre share the turn.
+const SHARED_FROM: f64 = 42.0;
+
+/// Distance of a slanted section from the mitre on the inside of the turn, in radii.
+pub(super) const GAP: f64 = 0.5;
+
+/// Largest share of the next segment that the sections of a shared turn may take.
+const SHARED_ROOM: f64 = 0.45;
+
+/// Largest turn, in degrees, of a mitre that does not share it: from there on the wall is farther from the ball than is tolerated.
+const MOST_ALONE: f64 = 80.0;
+
+/// Whether slanted sections before and after a mitre share the turn: from the angle's cosine, and the length of the shorter segment in radii.
+pub(super) fn is_shared(cosine: f64, room: f64) -> bool {
+    cosine < libm::cos(SHARED_FROM.to_radians()) && half_tangent(cosine) + GAP <= SHARED_ROOM * room
+}
+
+/// Whether the wall of a mitre is too far from the ball, because slanted sections that would share the turn have no room.
+pub(super) fn is_alone(cosine: f64, room: f64) -> bool {
+    cosine < libm::cos(MOST_ALONE.to_radians()) && !is_shared(cosine, room)
+}
+
 /// The tangent of half the angle by which a path turns, from the angle's cosine: half the extent of a section in the bisecting plane along the path, over
 /// the radius.
 pub(super) fn half_tangent(cosine: f64) -> f64 {

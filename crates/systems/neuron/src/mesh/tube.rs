@@ -1,7 +1,7 @@
 //! Tubes: the parts of branches between two nodes.
 
 use super::folds::{Division, divided};
-use super::path::{ROOM, deviation, half_tangent, is_beyond_mitres, relax, thinned};
+use super::path::{GAP, ROOM, deviation, half_tangent, is_beyond_mitres, is_shared, relax, thinned};
 use super::profile::Profile;
 use crate::curve::{ArcLength, Curve};
 use crate::{RoundCone, SOMA, Skeleton, Soma};
@@ -50,15 +50,6 @@ pub(super) struct Mitre {
     /// Whether slanted sections before and after it share the turn, so that the wall follows the ball on the outside.
     is_shared: bool,
 }
-
-/// Angle in degrees from which on slanted sections before and after a mitre share the turn.
-const SHARED_FROM: f64 = 42.0;
-
-/// Distance of a slanted section from the mitre on the inside of the turn, in radii.
-const GAP: f64 = 0.5;
-
-/// Largest share of the next segment that the sections of a shared turn may take.
-const SHARED_ROOM: f64 = 0.45;
 
 /// Distance of the corners of a polygonal section outside of the circle, and of its sides inside, over the radius.
 const POLYGON: [f64; 2] = [0.054, 0.026];
@@ -251,8 +242,8 @@ impl Tube {
             let cosine = directions[0].dot(directions[1]);
             let tangent = half_tangent(cosine);
             let (at, radius) = (lengths[k], points[k].1);
-            let room = SHARED_ROOM * (at - lengths[k - 1]).min(lengths[k + 1] - at);
-            let is_shared = cosine < libm::cos(SHARED_FROM.to_radians()) && (tangent + GAP) * radius <= room;
+            let room = (at - lengths[k - 1]).min(lengths[k + 1] - at);
+            let is_shared = is_shared(cosine, room / radius);
             Mitre { at, directions, tangent, radius, is_shared }
         };
         (1..points.len() - 1).filter(|k| lengths[*k] > from && lengths[*k] < to).map(mitre).collect()

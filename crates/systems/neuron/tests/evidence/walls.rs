@@ -510,3 +510,17 @@ fn thin_branches_close_to_one_another_are_followed() {
         }
     }
 }
+
+#[test]
+fn turns_without_room_for_shared_mitres_are_followed() {
+    for (turn, length) in [(90.0_f64, 2.5), (90.0, 3.0), (105.0, 4.0)] {
+        // Two turns by this angle, the second one out of the plane of the first.
+        let (c, s) = (turn.to_radians().cos(), turn.to_radians().sin());
+        let [x, y] = [6.0 + length * c, length * s];
+        let [u, v, w] = [x + 6.0 * c * c, y + 6.0 * s * c, 6.0 * s];
+        let text = format!("1 3 0 0 0 1 -1\n2 3 6 0 0 1 1\n3 3 {x} {y} 0 1 2\n4 3 {u} {v} {w} 1 3\n");
+        let report = mesh_neuron(&skeleton(&text), &MeshOptions::default()).unwrap().report;
+        let wall = report.wall.as_ref().unwrap();
+        assert!(report.certified && wall.is_within() == Some(true), "{turn} {length}: {wall:?}");
+    }
+}
