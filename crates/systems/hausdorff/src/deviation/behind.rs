@@ -21,7 +21,9 @@ pub(super) struct Plane {
 /// Lists the faces of some leaves that rise over a plane and meet its box. Returns how high the others that meet it rise, at most;
 /// negative infinity if there are none.
 pub(super) fn rising(bvh: &Bvh, leaves: &[(Leaf, Aabb)], plane: &Plane, list: &mut Vec<Slot>) -> f64 {
-    rising_over(bvh, leaves, plane, list)
+    let highest = rising_over(bvh, leaves, plane, list);
+    bvh.leave_once(list);
+    highest
 }
 
 /// The same for both sides of a plane: above, and below.
@@ -29,9 +31,12 @@ pub(super) fn rising_on_both_sides(
     bvh: &Bvh,
     leaves: &[(Leaf, Aabb)],
     plane: &Plane,
-    lists: [&mut Vec<Slot>; 2],
+    [above, below]: [&mut Vec<Slot>; 2],
 ) -> [f64; 2] {
-    rising_and_falling(bvh, leaves, plane, lists)
+    let highest = rising_and_falling(bvh, leaves, plane, [&mut *above, &mut *below]);
+    bvh.leave_once(above);
+    bvh.leave_once(below);
+    highest
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2", "aarch64+neon"))]

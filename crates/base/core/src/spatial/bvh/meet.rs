@@ -18,7 +18,7 @@ impl Leaf {
 
 impl Bvh {
     /// Appends the leaves whose boxes meet the box from `lower` to `upper`, with their boxes. The order is deterministic but
-    /// unspecified. The box of a leaf holds its triangles exactly.
+    /// unspecified. Every point of a triangle lies in the box of a leaf that holds it.
     pub fn leaves_meeting(
         &self,
         lower: [f64; 3],
@@ -34,15 +34,17 @@ impl Bvh {
         &self.blocks[leaf.0 as usize]
     }
 
-    /// The leaf that holds a slot.
+    /// The leaf that holds a slot; the first, of a long triangle that others hold as well.
     pub fn leaf_of(&self, slot: Slot) -> Leaf {
         Leaf((slot.index() / LANES) as u32)
     }
 
     /// The slot of the triangle in a lane of a leaf.
     pub fn slot_in(&self, leaf: Leaf, lane: usize) -> Slot {
-        let slot = leaf.0 as usize * LANES + lane;
-        Slot(if slot < self.faces.len() { slot } else { self.faces.len() - 1 } as u32)
+        let place = leaf.0 as usize * LANES + lane;
+        let last =
+            || self.originals.last().copied().filter(|_| place >= self.faces.len().next_multiple_of(LANES));
+        self.slot_at(place).unwrap_or_else(|| Slot(last().unwrap_or(self.faces.len() as u32 - 1)))
     }
 }
 

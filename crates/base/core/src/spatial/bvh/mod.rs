@@ -8,6 +8,7 @@ mod cover;
 mod meet;
 mod nearest;
 mod oriented;
+mod pieces;
 mod split;
 mod support;
 
@@ -50,13 +51,39 @@ struct Node {
     child: [u32; LANES],
 }
 
+impl Node {
+    const EMPTY: Self = Self {
+        lower: [[f64::INFINITY; LANES]; 3],
+        upper: [[f64::NEG_INFINITY; LANES]; 3],
+        child: [0; LANES],
+    };
+
+    fn set(&mut self, lane: usize, aabb: &Aabb, child: u32) {
+        for k in 0..3 {
+            self.lower[k][lane] = aabb.lower[k];
+            self.upper[k][lane] = aabb.upper[k];
+        }
+        self.child[lane] = child;
+    }
+
+    fn aabb(&self, lane: usize) -> Aabb {
+        Aabb { lower: [0, 1, 2].map(|k| self.lower[k][lane]), upper: [0, 1, 2].map(|k| self.upper[k][lane]) }
+    }
+
+    /// The box of all children.
+    fn whole(&self) -> Aabb {
+        (0..LANES).fold(Aabb::EMPTY, |whole, lane| whole.union(self.aabb(lane)))
+    }
+}
+
 /// Marks a child that is a block.
 const LEAF: u32 = 1 << 31;
 
 /// A bounding-volume hierarchy over the faces of a mesh, for closest-point queries.
 ///
 /// # Cost
-/// About 85 bytes per face: corner positions by value, the face's index, and its share of the nodes above.
+/// About 85 bytes per face: corner positions by value, the face's index, and its share of the nodes above. As much again for each of the
+/// boxes of a long face that does not lie along an axis, four for each face of a mesh at most.
 #[derive(Clone, Debug)]
 pub struct Bvh {
     /// The root is the first.
@@ -65,6 +92,8 @@ pub struct Bvh {
     blocks: Vec<TriangleBlock>,
     /// Face of each slot.
     faces: Vec<u32>,
+    /// Slots of the triangles in the blocks after those of all faces, which hold long faces once more (see `pieces`).
+    originals: Vec<u32>,
 }
 
 impl Bvh {
@@ -108,14 +137,33 @@ impl Bvh {
         (0..self.faces.len() as u32).map(Slot)
     }
 
+    /// The slot of the triangle at a place in the blocks; none where the last block of a tree repeats its last triangle.
+    #[inline]
+    fn slot_at(&self, place: usize) -> Option<Slot> {
+        if place < self.faces.len() {
+            return Some(Slot(place as u32));
+        }
+        self.originals
+            .get(place.checked_sub(self.faces.len().next_multiple_of(LANES))?)
+            .map(|slot| Slot(*slot))
+    }
+
+    /// Leaves each slot once in a list of slots from several leaves, which may hold the same long triangle.
+    pub fn leave_once(&self, slots: &mut Vec<Slot>) {
+        if !self.originals.is_empty() {
+            slots.sort_unstable();
+            slots.dedup();
+        }
+    }
+
     /// Bytes of memory held.
     pub fn bytes(&self) -> usize {
         self.nodes.capacity() * size_of::<Node>()
             + self.blocks.capacity() * size_of::<TriangleBlock>()
-            + self.faces.capacity() * size_of::<u32>()
+            + (self.faces.capacity() + self.originals.capacity()) * size_of::<u32>()
     }
 
-    /// Bytes that building over `faces` faces takes at its peak, within a tenth.
+    /// Bytes that building over `faces` faces takes at its peak, within a tenth, where none is long.
     pub fn bytes_to_build(faces: usize) -> usize {
         faces * 128 + (1 << 12)
     }
@@ -123,7 +171,7 @@ impl Bvh {
     /// The same tree over transformed triangles.
     ///
     /// `map` must transform each axis by itself, and must be nondecreasing along it. Scaling and shifting are, even after rounding.
-    /// Boxes then stay bounding boxes.
+    /// Boxes then stay bounding boxes; those of parts of faces are made wider by what rounding may have moved.
     #[must_use]
     pub fn mapped(&self, map: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         let each = |axes: &mut [[f64; LANES]; 3]| {
@@ -142,6 +190,14 @@ impl Bvh {
             each(&mut node.lower);
             each(&mut node.upper);
         }
+        if !tree.originals.is_empty() {
+            let Aabb { lower, upper } = tree.nodes[0].whole();
+            let far = lower.iter().chain(&upper).fold(0.0, |far: f64, x| far.max(x.abs()));
+            for node in &mut tree.nodes {
+                node.lower.as_flattened_mut().iter_mut().for_each(|x| *x -= pieces::WIDER * far);
+                node.upper.as_flattened_mut().iter_mut().for_each(|x| *x += pieces::WIDER * far);
+            }
+        }
         tree.blocks.iter_mut().flatten().for_each(each);
         tree
     }
@@ -149,7 +205,8 @@ impl Bvh {
     /// Traverses the tree: `enter` decides for each box whether to descend, and `visit` receives the slots of the leaves that are
     /// reached. The order is deterministic but unspecified. The traversal ends when `visit` breaks.
     ///
-    /// The box of a leaf holds its triangles exactly.
+    /// Every point of a triangle lies in the box of a leaf that holds it; a long triangle may be in several leaves, and its slot comes
+    /// once from each.
     pub fn walk(
         &self,
         stack: &mut Vec<u32>,
@@ -160,18 +217,15 @@ impl Bvh {
         stack.push(0);
         while let Some(entry) = stack.pop() {
             if entry & LEAF != 0 {
-                let first = (entry & !LEAF) * LANES as u32;
-                for slot in first..self.faces.len().min(first as usize + LANES) as u32 {
-                    visit(Slot(slot))?;
+                let first = (entry & !LEAF) as usize * LANES;
+                for slot in (first..first + LANES).map_while(|place| self.slot_at(place)) {
+                    visit(slot)?;
                 }
                 continue;
             }
             let node = &self.nodes[entry as usize];
             for (lane, child) in node.child.iter().enumerate() {
-                let aabb = Aabb {
-                    lower: [0, 1, 2].map(|k| node.lower[k][lane]),
-                    upper: [0, 1, 2].map(|k| node.upper[k][lane]),
-                };
+                let aabb = node.aabb(lane);
                 if aabb.lower[0] < f64::INFINITY && enter(&aabb) {
                     stack.push(*child);
                 }

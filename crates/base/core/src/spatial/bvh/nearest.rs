@@ -1,6 +1,6 @@
 //! The triangle nearest to a point.
 
-use super::{Bvh, LEAF, Node, Slot};
+use super::{Bvh, LEAF, Leaf, Node, Slot};
 use crate::geom::point_triangle::{LANES, block_distances_sq, distance_sq};
 use multiversion::multiversion;
 
@@ -100,6 +100,10 @@ impl Bvh {
         workspace.distances += 1;
         let most = collect(self, p, reach(self.distance_sq(p, start), slack), slack, workspace, found);
         found.retain(|one| one.distance_sq <= most);
+        if !self.originals.is_empty() {
+            found.sort_unstable_by_key(|one| one.slot);
+            found.dedup_by_key(|one| one.slot);
+        }
     }
 
     /// The squared distance from `p` to the triangle in a slot.
@@ -160,9 +164,10 @@ fn collect(
         while hits != 0 {
             let lane = hits.trailing_zeros() as usize;
             hits &= hits - 1;
-            let slot = Slot(block * LANES as u32 + lane as u32);
             // Lanes without a triangle repeat one.
-            if slot.index() < bvh.faces.len() && distances[lane] <= most {
+            if let Some(slot) = bvh.slot_at(block as usize * LANES + lane)
+                && distances[lane] <= most
+            {
                 found.push(Nearest { slot, distance_sq: distances[lane] });
                 let reached = reach(distances[lane], slack);
                 most = if reached < most { reached } else { most };
@@ -183,7 +188,7 @@ fn descend(bvh: &Bvh, p: [f64; 3], workspace: &mut Workspace) -> Slot {
     }
     workspace.distances += LANES as u64;
     let block = entry & !LEAF;
-    let mut best = Nearest { slot: Slot(block * LANES as u32), distance_sq: f64::INFINITY };
+    let mut best = Nearest { slot: bvh.slot_in(Leaf(block), 0), distance_sq: f64::INFINITY };
     improve(bvh, p, block, &mut best);
     best.slot
 }
@@ -207,7 +212,7 @@ pub(super) fn improve(bvh: &Bvh, p: [f64; 3], block: u32, best: &mut Nearest) ->
     while lane < LANES - 1 && distances[lane] != least {
         lane += 1;
     }
-    *best = Nearest { slot: Slot(block * LANES as u32 + lane as u32), distance_sq: least };
+    *best = Nearest { slot: bvh.slot_in(Leaf(block), lane), distance_sq: least };
     true
 }
 

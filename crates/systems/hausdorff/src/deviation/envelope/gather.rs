@@ -1,11 +1,13 @@
 //! Which faces of B are listed for a piece.
 
 use super::super::candidates::Candidate;
+use super::super::fronts::Front;
 use super::super::polygon::Polygon;
 use super::view::View;
 use super::{Envelope, Listed, Open, Wish, bvh_row};
 use glam::DVec3;
 use pompeiu_core::geom::Aabb;
+use pompeiu_core::geom::point_triangle::LANES;
 use std::ops::ControlFlow;
 
 /// Faces on a list at most: beyond, a piece is bounded by the distance of its centre, and cut.
@@ -86,24 +88,30 @@ impl Envelope<'_> {
         let mut complete = listed.is_continue();
         let (from, first) = (self.candidates.len(), self.lists.len());
         if complete {
-            for &slot in slots.iter() {
-                let corners = bvh.corners(slot);
-                if slot != nearest.slot && seen.is_beside(&corners, normal, &lower, &upper, beside) {
-                    continue;
-                }
-                self.candidates.push(Candidate::new(slot, corners, scale));
-            }
-            if !slots.contains(&nearest.slot) {
-                self.candidates.push(Candidate::new(nearest.slot, bvh.corners(nearest.slot), scale));
-            }
-            complete = self.candidates.len() - from <= LONGEST_LIST;
-        }
-        if complete {
-            polygon.beyond = std::array::from_fn(|j| {
+            let beyond = std::array::from_fn(|j| {
                 let plane = row[j] - behind - seen.margin;
                 if plane < reach { plane } else { reach }
             });
-        } else {
+            bvh.leave_once(slots);
+            slots.retain(|slot| {
+                *slot != nearest.slot && !seen.is_beside(&bvh.corners(*slot), normal, &lower, &upper, beside)
+            });
+            let along = polygon.outline.longest_way(scale).0;
+            // Faces in front of which a plane lies that is no nearer than what is left out anyway are left out too.
+            let front = Front::new(seen.centre, &seen.corners, along, &beyond.map(|x| x + seen.margin), 0.0);
+            for eight in slots.chunks(LANES) {
+                let fronts = front.look(bvh, eight);
+                for (lane, slot) in eight.iter().enumerate() {
+                    if fronts.deficits[lane] > 0.0 {
+                        self.candidates.push(Candidate::new(*slot, bvh.corners(*slot), scale));
+                    }
+                }
+            }
+            self.candidates.push(Candidate::new(nearest.slot, bvh.corners(nearest.slot), scale));
+            complete = self.candidates.len() - from <= LONGEST_LIST;
+            polygon.beyond = beyond;
+        }
+        if !complete {
             self.candidates.truncate(from);
             self.candidates.push(Candidate::new(nearest.slot, bvh.corners(nearest.slot), scale));
             polygon.beyond = seen.arms().map(|arm| distance - arm.sqrt() - seen.margin);
