@@ -151,7 +151,8 @@ def complexity(
     ----------
     shapes : path, mapping or sequence
         A folder of shapes, or outlines as arrays of shape (n, 2), files (see :func:`read_outlines`) and folders; with names, or
-        without. Files that cannot be used are in :attr:`Complexity.failed`, with a warning, and the others are measured.
+        without. Files that cannot be used are in :attr:`Complexity.failed`, with a warning, and the others are measured. Of a picture
+        the largest part is; a warning tells of others.
     rank_by : str
         The measure that ranks the shapes.
     against : Union[str, Mapping[str, float]], optional
@@ -200,6 +201,8 @@ def complexity(
     answer, _ = ask("complexity", given, meshes=(), others=_named(shapes))
     for failed in answer["report"]["failed"]:
         warnings.warn(f"{failed['path']}: {failed['message']}", stacklevel=2)
+    for left_out in answer["report"]["left_out"]:
+        warnings.warn(left_out, stacklevel=2)
     return Complexity(answer["report"])
 
 

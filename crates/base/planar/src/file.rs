@@ -132,7 +132,7 @@ pub struct DrawnShape {
     pub region: Result<Region, FileError>,
 }
 
-/// The shapes in a file, in their order.
+/// The shapes in a file, in their order, and what of a picture is not measured: its other parts.
 ///
 /// # Definition
 /// A picture shows one shape, its largest part, and a list of points is one. In an SVG drawing each element is a shape, with the holes that
@@ -141,8 +141,17 @@ pub struct DrawnShape {
 ///
 /// # Errors
 /// [`FileError`] if nothing in the file can be used; it does not name the file.
-pub fn read_shapes(path: &Path, options: &SilhouetteOptions) -> Result<Vec<DrawnShape>, FileError> {
-    Ok(shapes_and_rest(path, options)?.0)
+pub fn read_shapes(
+    path: &Path,
+    options: &SilhouetteOptions,
+) -> Result<(Vec<DrawnShape>, Option<LeftOut>), FileError> {
+    let (shapes, rest) = shapes_and_rest(path, options)?;
+    Ok((shapes, other_parts(&rest)))
+}
+
+/// Parts of a picture that are left out, by their areas relative to that of its shape.
+fn other_parts(areas: &[f64]) -> Option<LeftOut> {
+    (!areas.is_empty()).then(|| LeftOut::Shapes { others: areas.len(), share: areas.iter().sum() })
 }
 
 /// The shapes in a file, and of the parts of a picture that are not its shape their areas relative to that.
@@ -260,7 +269,7 @@ pub fn read_outlines(
     options: &SilhouetteOptions,
 ) -> Result<(Vec<Outline>, Vec<Missing>), FileError> {
     let (mut outlines, mut missing) = (Vec::new(), Vec::new());
-    for shape in read_shapes(path, options)? {
+    for shape in shapes_and_rest(path, options)?.0 {
         match shape.region {
             Ok(Region { outer, holes }) => {
                 outlines.push(outer);
@@ -298,11 +307,9 @@ pub enum LeftOut {
 /// # Errors
 /// As [`read_outlines`].
 pub fn read_region(path: &Path, options: &SilhouetteOptions) -> Result<(Region, Vec<LeftOut>), FileError> {
-    let (mut outlines, mut left_out) = (Vec::new(), Vec::new());
+    let mut outlines = Vec::new();
     let (shapes, rest) = shapes_and_rest(path, options)?;
-    if !rest.is_empty() {
-        left_out.push(LeftOut::Shapes { others: rest.len(), share: rest.iter().sum() });
-    }
+    let mut left_out: Vec<LeftOut> = other_parts(&rest).into_iter().collect();
     for shape in shapes {
         match shape.region {
             Ok(Region { outer, holes }) => {

@@ -84,12 +84,17 @@ impl ShapeSource {
     ///
     /// # Errors
     /// [`ShapeError`] if none can be used.
-    pub fn shapes(&self, options: &SilhouetteOptions) -> Result<Vec<DrawnShape>, ShapeError> {
+    pub fn shapes(
+        &self,
+        options: &SilhouetteOptions,
+    ) -> Result<(Vec<DrawnShape>, Option<LeftOut>), ShapeError> {
         match self {
             Self::File(path) => {
                 read_shapes(path, options).map_err(|error| ShapeError::File { path: path.clone(), error })
             }
-            Self::Corners(_) => Ok(vec![DrawnShape { name: None, region: Ok(self.region(options)?.0) }]),
+            Self::Corners(_) => {
+                Ok((vec![DrawnShape { name: None, region: Ok(self.region(options)?.0) }], None))
+            }
         }
     }
 }

@@ -119,6 +119,7 @@ pub fn analyse(shapes: &[Shape], options: &AnalyseOptions<'_>) -> Result<Complex
         agreement,
         clusters,
         failed: Vec::new(),
+        left_out: Vec::new(),
         stop,
         timing,
     })

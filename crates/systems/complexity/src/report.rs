@@ -22,6 +22,8 @@ pub struct ComplexityReport {
     pub clusters: Option<Clusters>,
     /// Files that cannot be used.
     pub failed: Vec<FailedShape>,
+    /// Parts of pictures beside the largest one, which are not measured: a sentence for each picture.
+    pub left_out: Vec<String>,
     /// The reason for which the computation ended.
     pub stop: StopReason,
     /// Time spent on each part.
@@ -39,6 +41,7 @@ impl ComplexityReport {
             agreement: None,
             clusters: None,
             failed: Vec::new(),
+            left_out: Vec::new(),
             stop,
             timing: Timing::default(),
         }

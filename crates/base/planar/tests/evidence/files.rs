@@ -196,7 +196,7 @@ fn files_are_told_apart_and_open_curves_refused() {
     let open = file("open.svg", b"<svg><path fill='none' d='M0 0H9V9'/></svg>");
     assert!(matches!(read_outlines(&open, &options), Err(FileError::Open { index: 0, .. })));
     let several = b"<svg><path id='a' d='M0 0H9V9Z M20 0h1v1z'/><rect id='b' width='2' height='1'/><path id='c' fill='none' d='M0 0H9V9'/></svg>";
-    let shapes = read_shapes(&file("several.svg", several), &options).unwrap();
+    let (shapes, _) = read_shapes(&file("several.svg", several), &options).unwrap();
     let names: Vec<_> = shapes.iter().map(|shape| (shape.name.as_deref(), shape.region.is_ok())).collect();
     assert_eq!(names, [(Some("1"), true), (Some("2"), true), (Some("b"), true), (Some("c"), false)]);
     assert!(matches!(shapes[3].region, Err(FileError::Open { index: 3, .. })));
@@ -217,7 +217,7 @@ fn what_a_drawing_does_not_have_is_left_out_and_said() {
     let (outlines, missing) = read_outlines(&some, &options).unwrap();
     assert_eq!((region.outer.area(), missing.len(), outlines.len()), (2.0, 2, 1));
     assert_eq!(left_out, missing.into_iter().map(LeftOut::Missing).collect::<Vec<_>>());
-    let shapes = read_shapes(&some, &options).unwrap();
+    let (shapes, _) = read_shapes(&some, &options).unwrap();
     assert!(shapes.iter().all(|shape| shape.name.is_none()));
     assert!(
         matches!(&shapes[2].region, Err(FileError::Missing(missing)) if matches!(missing, Missing::Use { line: 2, href } if href == "other.svg#a"))

@@ -147,7 +147,7 @@ impl ComplexityRequest {
         }
         let against = self.against.as_ref().map(RankingSource::places).transpose()?;
         let control = context.control();
-        let Read { shapes, failed } = context.on_threads(|| self.read(shapes, &control))?;
+        let Read { shapes, failed, left_out } = context.on_threads(|| self.read(shapes, &control))?;
         if shapes.is_empty() && !control.is_stopped() {
             return Err(ComplexityRequestError::NoShapes { failed });
         }
@@ -165,7 +165,7 @@ impl ComplexityRequest {
             Some(stop) => ComplexityReport::empty(&self.rank_by, stop),
             None => analyse(&shapes, &options)?,
         };
-        report.failed = failed;
+        (report.failed, report.left_out) = (failed, left_out);
         Ok(ComplexityAnswer { shapes, report })
     }
 
@@ -187,7 +187,10 @@ impl ComplexityRequest {
         let found: Vec<_> = all.par_iter().map(one).collect();
         for (file, shapes) in found.into_iter().flatten() {
             match shapes {
-                Ok(shapes) => shapes.into_iter().for_each(|shape| read.add(&file, shape)),
+                Ok((shapes, left_out)) => {
+                    shapes.into_iter().for_each(|shape| read.add(&file, shape));
+                    read.left_out.extend(left_out.map(|parts| format!("{file}: {parts}")));
+                }
                 Err(ShapeError::File { error, .. }) => read.failed.push(FailedShape::new(&file, &error)),
                 Err(error) => return Err(error),
             }
@@ -201,6 +204,7 @@ impl ComplexityRequest {
 struct Read {
     shapes: Vec<Shape>,
     failed: Vec<FailedShape>,
+    left_out: Vec<String>,
 }
 
 impl Read {

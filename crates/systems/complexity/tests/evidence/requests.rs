@@ -55,3 +55,41 @@ fn each_shape_of_a_drawing_is_measured_or_reported() {
         FailedShape { path: path.display().to_string(), message: message.to_owned() }
     );
 }
+
+/// A picture of dark squares on white, three bytes a pixel.
+fn bmp(squares: &[(usize, usize, usize)]) -> Vec<u8> {
+    const SIDE: usize = 40;
+    let mut bytes = b"BM".to_vec();
+    for number in [54 + 3 * SIDE * SIDE, 0, 54, 40, SIDE, SIDE] {
+        bytes.extend(u32::try_from(number).unwrap().to_le_bytes());
+    }
+    bytes.extend([1, 0, 24, 0]);
+    bytes.extend([0; 24]);
+    for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+        let is_dark = |&(left, top, side): &(usize, usize, usize)| {
+            (left..left + side).contains(&x) && (top..top + side).contains(&y)
+        };
+        bytes.extend([if squares.iter().any(is_dark) { 0 } else { 255 }; 3]);
+    }
+    bytes
+}
+
+#[test]
+fn parts_of_a_picture_beside_the_largest_are_said() {
+    let run = |name: &str, squares: &[(usize, usize, usize)]| {
+        let path = std::env::temp_dir().join(format!("pompeiu-{name}-{}.bmp", std::process::id()));
+        std::fs::write(&path, bmp(squares)).unwrap();
+        let found =
+            ComplexityRequest::default().run(&[NamedShape::file(path.clone())], &RunContext::default());
+        std::fs::remove_file(&path).unwrap();
+        found.unwrap().report
+    };
+    assert!(run("one", &[(4, 4, 20)]).left_out.is_empty());
+    let report = run("three", &[(4, 4, 20), (30, 4, 8), (4, 28, 10)]);
+    assert_eq!((report.shapes.len(), report.conclusion()), (1, Conclusion::AsAsked));
+    let [said] = &report.left_out[..] else { panic!("{:?}", report.left_out) };
+    assert!(
+        said.contains(".bmp: only the largest of 3 shapes is used; the others have 41.0 % of its area"),
+        "{said}"
+    );
+}

@@ -19,7 +19,7 @@ pub(crate) type Complexity = Invocation<Files>;
 #[derive(Args)]
 #[command(after_help = "\
 Shapes are pictures (PNG, JPEG, GIF, BMP: the largest part that stands out), drawings (SVG, DXF) and lists of points (TXT, CSV). Of each
-the outline counts, without its holes. Files that cannot be used are reported, and the others measured.
+the outline counts, without its holes. Files that cannot be used are reported, and the others measured; further parts of a picture are told of.
 
 Measures, by family; + grows with complexity, - falls:
   boundary   boundary-  boundary-500-  boundary-100-  boundary-50-  boundary-25-  boundary-8-
@@ -69,6 +69,9 @@ impl System for Files {
         }
         for failed in &found.report.failed {
             Printer::error(&anyhow::anyhow!(failed.to_string()));
+        }
+        for left_out in &found.report.left_out {
+            session.printer.warning(left_out);
         }
         if let Some(path) = &self.report {
             // Files in the folders are known only now.
