@@ -188,7 +188,9 @@ impl ComplexityRequest {
         for (file, shapes) in found.into_iter().flatten() {
             match shapes {
                 Ok((shapes, left_out)) => {
-                    shapes.into_iter().for_each(|shape| read.add(&file, shape));
+                    for shape in shapes {
+                        read.add(&file, shape);
+                    }
                     read.left_out.extend(left_out.map(|parts| format!("{file}: {parts}")));
                 }
                 Err(ShapeError::File { error, .. }) => read.failed.push(FailedShape::new(&file, &error)),
