@@ -86,10 +86,50 @@ impl Bvh {
         }
         bvh
     }
+
+    /// Hangs a tree over slabs beside this one, whose boxes do not hold the long faces.
+    fn add_slabs(
+        &mut self,
+        long: &Long,
+        corners: &(impl Fn(u32) -> [[f64; 3]; 3] + Sync),
+        control: &Control,
+    ) {
+        let count = long.slabs.len();
+        let first = self.blocks.len();
+        let mut items: Vec<Item> =
+            long.slabs.iter().zip(0..).map(|((_, aabb), slab)| Item::new(aabb, slab)).collect();
+        let bounds = Bounds::of(&items);
+        self.blocks.resize(first + count.div_ceil(LANES), [[[0.0; LANES]; 3]; 3]);
+        let mut order = vec![0; count];
+        let part = Part {
+            range: Range::Boxes(&mut items, bounds),
+            blocks: &mut self.blocks[first..],
+            faces: &mut order,
+            first: first * LANES,
+        };
+        let of_slab = |slab: u32| corners(long.slabs[slab as usize].0);
+        let aabb = |slab: u32, _: &[[f64; 3]; 3]| long.slabs[slab as usize].1;
+        let mut slabs = Vec::new();
+        Builder { corners: &of_slab, boxes: &aabb, control }.subtree(part, 0, &mut slabs);
+        let mut slot_of = vec![0; self.faces.len()];
+        for (face, slot) in self.faces.iter().zip(0..) {
+            slot_of[*face as usize] = slot;
+        }
+        self.originals = order.iter().map(|slab| slot_of[long.slabs[*slab as usize].0 as usize]).collect();
+        let faces = std::mem::take(&mut self.nodes);
+        self.nodes.reserve_exact(1 + faces.len() + slabs.len());
+        self.nodes.push(Node::EMPTY);
+        for (lane, below) in [faces, slabs].into_iter().enumerate() {
+            let whole = below[0].whole();
+            let child = self.nodes.len() as u32;
+            append(&mut self.nodes, below);
+            self.nodes[0].set(lane, &whole, child);
+        }
+    }
 }
 
 /// The faces of a range of the tree.
-pub(super) enum Range<'i> {
+enum Range<'i> {
     /// Codes and faces, by ascending code.
     Sorted(&'i [u64], Leaves),
     /// Boxes and faces in any order, and a box about all of them.
@@ -97,13 +137,13 @@ pub(super) enum Range<'i> {
 }
 
 /// Faces that will lie below one child.
-pub(super) struct Part<'i> {
-    pub(super) range: Range<'i>,
+struct Part<'i> {
+    range: Range<'i>,
     /// Where their triangles will be.
-    pub(super) blocks: &'i mut [TriangleBlock],
-    pub(super) faces: &'i mut [u32],
+    blocks: &'i mut [TriangleBlock],
+    faces: &'i mut [u32],
     /// Place of the first face in the order of the whole tree; a multiple of eight.
-    pub(super) first: usize,
+    first: usize,
 }
 
 impl Part<'_> {
@@ -199,16 +239,16 @@ impl Change {
     }
 }
 
-pub(super) struct Builder<'c, C, B> {
-    pub(super) corners: &'c C,
+struct Builder<'c, C, B> {
+    corners: &'c C,
     /// The box of a face in its leaf, of a face and its corners.
-    pub(super) boxes: &'c B,
-    pub(super) control: &'c Control,
+    boxes: &'c B,
+    control: &'c Control,
 }
 
 impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync, B: Fn(u32, &[[f64; 3]; 3]) -> Aabb + Sync> Builder<'_, C, B> {
     /// Appends the node over a part and all below it; returns its box. The box is meaningless if the control has stopped the build.
-    pub(super) fn subtree(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
+    fn subtree(&self, part: Part<'_>, depth: usize, nodes: &mut Vec<Node>) -> Aabb {
         match part.range {
             Range::Sorted(keys, _) if !part.is_leaf() && !part.can_be_split() => {
                 let (mut few, mut many) = ([Item::NONE; FEW], Vec::new());
@@ -295,7 +335,7 @@ impl<C: Fn(u32) -> [[f64; 3]; 3] + Sync, B: Fn(u32, &[[f64; 3]; 3]) -> Aabb + Sy
 }
 
 /// Appends nodes whose child indices were counted from zero.
-pub(super) fn append(nodes: &mut Vec<Node>, mut below: Vec<Node>) {
+fn append(nodes: &mut Vec<Node>, mut below: Vec<Node>) {
     let offset = nodes.len() as u32;
     for node in &mut below {
         for (lane, child) in node.child.iter_mut().enumerate() {

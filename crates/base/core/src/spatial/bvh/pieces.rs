@@ -13,12 +13,7 @@
 //! # Source
 //! Boxes of parts of triangles: `ernst_early_2007`.
 
-use super::build::{Builder, Part, Range, append};
-use super::split::{Bounds, Item};
-use super::{Bvh, Node};
 use crate::geom::Aabb;
-use crate::geom::point_triangle::LANES;
-use crate::run::Control;
 use rayon::prelude::*;
 
 /// Half the surface of a box, over the area of its face, above which the face is long; an equilateral triangle has at most 3.5.
@@ -41,7 +36,7 @@ pub(super) struct Long {
     /// A bit for each face of the mesh.
     is_long: Vec<u64>,
     /// Faces and boxes of slabs.
-    slabs: Vec<(u32, Aabb)>,
+    pub(super) slabs: Vec<(u32, Aabb)>,
 }
 
 impl Long {
@@ -158,48 +153,6 @@ impl Slabs {
         Aabb {
             lower: [0, 1, 2].map(|k| (aabb.lower[k] - WIDER * far).max(self.whole.lower[k])),
             upper: [0, 1, 2].map(|k| (aabb.upper[k] + WIDER * far).min(self.whole.upper[k])),
-        }
-    }
-}
-
-impl Bvh {
-    /// Hangs a tree over slabs beside this one, whose boxes do not hold the long faces.
-    pub(super) fn add_slabs(
-        &mut self,
-        long: &Long,
-        corners: &(impl Fn(u32) -> [[f64; 3]; 3] + Sync),
-        control: &Control,
-    ) {
-        let count = long.slabs.len();
-        let first = self.blocks.len();
-        let mut items: Vec<Item> =
-            long.slabs.iter().zip(0..).map(|((_, aabb), slab)| Item::new(aabb, slab)).collect();
-        let bounds = Bounds::of(&items);
-        self.blocks.resize(first + count.div_ceil(LANES), [[[0.0; LANES]; 3]; 3]);
-        let mut order = vec![0; count];
-        let part = Part {
-            range: Range::Boxes(&mut items, bounds),
-            blocks: &mut self.blocks[first..],
-            faces: &mut order,
-            first: first * LANES,
-        };
-        let of_slab = |slab: u32| corners(long.slabs[slab as usize].0);
-        let aabb = |slab: u32, _: &[[f64; 3]; 3]| long.slabs[slab as usize].1;
-        let mut slabs = Vec::new();
-        Builder { corners: &of_slab, boxes: &aabb, control }.subtree(part, 0, &mut slabs);
-        let mut slot_of = vec![0; self.faces.len()];
-        for (face, slot) in self.faces.iter().zip(0..) {
-            slot_of[*face as usize] = slot;
-        }
-        self.originals = order.iter().map(|slab| slot_of[long.slabs[*slab as usize].0 as usize]).collect();
-        let faces = std::mem::take(&mut self.nodes);
-        self.nodes.reserve_exact(1 + faces.len() + slabs.len());
-        self.nodes.push(Node::EMPTY);
-        for (lane, below) in [faces, slabs].into_iter().enumerate() {
-            let whole = below[0].whole();
-            let child = self.nodes.len() as u32;
-            append(&mut self.nodes, below);
-            self.nodes[0].set(lane, &whole, child);
         }
     }
 }
