@@ -16,6 +16,7 @@ use super::entry::Sum;
 use super::report::DirectedDeviation;
 use super::statistics::share_of;
 use crate::report::{Enclosure, SurfacePoint};
+use glam::DVec3;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::{FaceId, TriMesh};
@@ -156,9 +157,9 @@ pub fn component_shares(mesh: &TriMesh) -> Vec<f64> {
     let frame = Frame::of(&Aabb::of_faces(mesh));
     let first = first_faces(mesh, |_| true);
     let mut areas = vec![0.0; first.len()];
-    for (face, first) in first.iter().enumerate() {
-        let (low, high) = area::of_face(mesh, &frame, face as u32);
-        areas[*first as usize] += 0.5 * (low + high);
+    for (corners, first) in mesh.faces().iter().zip(&first) {
+        let [a, b, c] = corners.map(|v| DVec3::from_array(frame.map(mesh.positions()[v as usize])));
+        areas[*first as usize] += 0.5 * (b - a).cross(c - a).length();
     }
     let total: f64 = areas.iter().sum();
     first.iter().map(|first| if total > 0.0 { areas[*first as usize] / total } else { 0.0 }).collect()
