@@ -127,7 +127,7 @@ fn of_task(
     most: usize,
 ) -> SelfIntersections {
     let mut found = SelfIntersections { complete: true, ..SelfIntersections::default() };
-    let (mut stack, mut leaves, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut stack, mut leaves, mut near, mut others) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     // The tree is walked once for the faces of a leaf.
     for group in task.chunks(LANES) {
         let of_group = group.iter().map(|slot| boxes[slot.index()]).reduce(Aabb::union);
@@ -136,14 +136,15 @@ fn of_task(
         bvh.leaves_meeting(around.lower, around.upper, &mut stack, &mut leaves);
         let corners = group.iter().flat_map(|slot| bvh.corners(*slot));
         bvh.keep_leaves_near(&mut leaves, bvh.corners(*first), corners, beside);
-        others.clear();
+        near.clear();
         for (leaf, _) in &leaves {
             let slots = (0..LANES).map(|lane| bvh.slot_in(*leaf, lane));
             let is_near = |slot: &Slot| slot > first && around.meets(&boxes[slot.index()]);
-            others.extend(slots.filter(is_near).map(|slot| (slot, boxes[slot.index()])));
+            near.extend(slots.filter(is_near));
         }
-        // Lanes without a face repeat one.
-        others.dedup_by_key(|(slot, _)| *slot);
+        bvh.remove_repeats(&mut near);
+        others.clear();
+        others.extend(near.iter().map(|slot| (*slot, boxes[slot.index()])));
         for &slot in group {
             let (own, corners) = (&boxes[slot.index()], bvh.corners(slot));
             let plane = Plane::of(&corners);
@@ -258,7 +259,7 @@ fn touch(mesh: &TriMesh, faces: [FaceId; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::shapes::{cube, icosphere, torus};
+    use crate::mesh::shapes::{Ends, cube, cylinder, icosphere, torus};
     use crate::mesh::{Affine, displace_at_random, merge, shuffle, transform, unweld};
 
     fn by_brute_force(mesh: &TriMesh) -> Vec<[FaceId; 2]> {
@@ -302,6 +303,20 @@ mod tests {
             assert!(found.pairs.is_empty() && found.complete);
             assert_eq!(found.touching, at_vertices - 3 * mesh.faces().len() / 2);
         }
+    }
+
+    /// Long faces are in several leaves of the tree.
+    #[test]
+    fn pairs_of_long_faces_are_found_once() {
+        let tube = cylinder(0.1, 4.0, 40, 1, Ends::Open).unwrap();
+        let tilted = transform(&tube, &Affine::rotate([1.0, 2.0, 0.5], 50.0).unwrap()).unwrap();
+        let other = transform(&tube, &Affine::rotate([2.0, -1.0, 0.3], 65.0).unwrap()).unwrap();
+        let mesh = merge(&[&tilted, &other]).unwrap();
+        let all = by_brute_force(&mesh);
+        assert!(all.len() > 20);
+        assert_eq!(pairs(&mesh), all);
+        let touching = |mesh: &TriMesh| self_intersections(mesh, usize::MAX).touching;
+        assert_eq!(touching(&unweld(&tilted).unwrap()), touching(&unweld(&tube).unwrap()));
     }
 
     #[test]

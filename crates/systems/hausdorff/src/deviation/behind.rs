@@ -22,7 +22,7 @@ pub(super) struct Plane {
 /// negative infinity if there are none.
 pub(super) fn rising(bvh: &Bvh, leaves: &[(Leaf, Aabb)], plane: &Plane, list: &mut Vec<Slot>) -> f64 {
     let highest = rising_over(bvh, leaves, plane, list);
-    bvh.leave_once(list);
+    bvh.remove_repeats(list);
     highest
 }
 
@@ -34,8 +34,8 @@ pub(super) fn rising_on_both_sides(
     [above, below]: [&mut Vec<Slot>; 2],
 ) -> [f64; 2] {
     let highest = rising_and_falling(bvh, leaves, plane, [&mut *above, &mut *below]);
-    bvh.leave_once(above);
-    bvh.leave_once(below);
+    bvh.remove_repeats(above);
+    bvh.remove_repeats(below);
     highest
 }
 
@@ -113,11 +113,7 @@ fn sort(bvh: &Bvh, leaf: Leaf, lane: usize, rise: f64, most: f64, highest: &mut 
     if rise <= most {
         *highest = if rise > *highest { rise } else { *highest };
     } else {
-        let slot = bvh.slot_in(leaf, lane);
-        // Lanes without a triangle repeat the last one.
-        if list.last() != Some(&slot) {
-            list.push(slot);
-        }
+        list.push(bvh.slot_in(leaf, lane));
     }
 }
 

@@ -8,12 +8,12 @@
 //! The left side of a split holds a multiple of [`FEW`] faces, or of eight where boxes decide. So all lowest nodes but the last are
 //! full, and the place of a leaf follows from the place of its triangles: subtrees are built in parallel without coordination.
 //!
-//! How a range of faces is split by boxes is in `split`; long faces, whose boxes are nearly empty, in `pieces`.
+//! How a range of faces is split by boxes is in `split`; long faces, whose boxes are nearly empty, in `slabs`.
 //!
 //! # Source
 //! Splitting sorted codes at their highest bit: `lauterbach_fast_2009`.
 
-use super::pieces::Long;
+use super::slabs::Long;
 use super::split::{Bounds, FEW, Item, Split, split};
 use super::{Bvh, LEAF, Node};
 use crate::geom::point_triangle::{LANES, TriangleBlock, set_lane};

@@ -39,12 +39,11 @@ impl Bvh {
         Leaf((slot.index() / LANES) as u32)
     }
 
-    /// The slot of the triangle in a lane of a leaf.
+    /// The slot of the triangle in a lane of a leaf. Lanes without a triangle repeat the last one, and several leaves may hold the same long
+    /// triangle: see [`Bvh::remove_repeats`].
     pub fn slot_in(&self, leaf: Leaf, lane: usize) -> Slot {
-        let place = leaf.0 as usize * LANES + lane;
-        let last =
-            || self.originals.last().copied().filter(|_| place >= self.faces.len().next_multiple_of(LANES));
-        self.slot_at(place).unwrap_or_else(|| Slot(last().unwrap_or(self.faces.len() as u32 - 1)))
+        let first = leaf.0 as usize * LANES;
+        (0..=lane).rev().find_map(|lane| self.slot_at(first + lane)).unwrap_or_default()
     }
 }
 

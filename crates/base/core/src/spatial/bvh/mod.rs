@@ -8,7 +8,7 @@ mod cover;
 mod meet;
 mod nearest;
 mod oriented;
-mod pieces;
+mod slabs;
 mod split;
 mod support;
 
@@ -92,7 +92,7 @@ pub struct Bvh {
     blocks: Vec<TriangleBlock>,
     /// Face of each slot.
     faces: Vec<u32>,
-    /// Slots of the triangles in the blocks after those of all faces, which hold long faces once more (see `pieces`).
+    /// Slots of the triangles in the blocks after those of all faces, which hold long faces once more (see `slabs`).
     originals: Vec<u32>,
 }
 
@@ -148,12 +148,13 @@ impl Bvh {
             .map(|slot| Slot(*slot))
     }
 
-    /// Leaves each slot once in a list of slots from several leaves, which may hold the same long triangle.
-    pub fn leave_once(&self, slots: &mut Vec<Slot>) {
+    /// Removes the repeats from a list of the slots in some leaves: lanes without a triangle repeat one, and several leaves may hold the same
+    /// long triangle. The order stays, but for trees with long triangles.
+    pub fn remove_repeats(&self, slots: &mut Vec<Slot>) {
         if !self.originals.is_empty() {
             slots.sort_unstable();
-            slots.dedup();
         }
+        slots.dedup();
     }
 
     /// Bytes of memory held.
@@ -194,8 +195,8 @@ impl Bvh {
             let Aabb { lower, upper } = tree.nodes[0].whole();
             let far = lower.iter().chain(&upper).fold(0.0, |far: f64, x| far.max(x.abs()));
             for node in &mut tree.nodes {
-                node.lower.as_flattened_mut().iter_mut().for_each(|x| *x -= pieces::WIDER * far);
-                node.upper.as_flattened_mut().iter_mut().for_each(|x| *x += pieces::WIDER * far);
+                node.lower.as_flattened_mut().iter_mut().for_each(|x| *x -= slabs::WIDER * far);
+                node.upper.as_flattened_mut().iter_mut().for_each(|x| *x += slabs::WIDER * far);
             }
         }
         tree.blocks.iter_mut().flatten().for_each(each);

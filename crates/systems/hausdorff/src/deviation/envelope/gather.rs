@@ -92,7 +92,7 @@ impl Envelope<'_> {
                 let plane = row[j] - behind - seen.margin;
                 if plane < reach { plane } else { reach }
             });
-            bvh.leave_once(slots);
+            bvh.remove_repeats(slots);
             slots.retain(|slot| {
                 *slot != nearest.slot && !seen.is_beside(&bvh.corners(*slot), normal, &lower, &upper, beside)
             });
@@ -107,15 +107,15 @@ impl Envelope<'_> {
                     }
                 }
             }
-            self.candidates.push(Candidate::new(nearest.slot, bvh.corners(nearest.slot), scale));
-            complete = self.candidates.len() - from <= LONGEST_LIST;
+            // One place is that of the nearest.
+            complete = self.candidates.len() - from < LONGEST_LIST;
             polygon.beyond = beyond;
         }
         if !complete {
             self.candidates.truncate(from);
-            self.candidates.push(Candidate::new(nearest.slot, bvh.corners(nearest.slot), scale));
             polygon.beyond = seen.arms().map(|arm| distance - arm.sqrt() - seen.margin);
         }
+        self.candidates.push(Candidate::new(nearest.slot, bvh.corners(nearest.slot), scale));
         self.lists.extend((from..self.candidates.len()).map(|candidate| Listed {
             candidate: candidate as u32,
             pinned: self.candidates[candidate].slot == nearest.slot,
