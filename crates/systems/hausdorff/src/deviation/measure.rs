@@ -87,7 +87,7 @@ fn sampled(order: &[u32]) -> impl Iterator<Item = &u32> {
 }
 
 /// The centroid, the area and the corners of a face in a frame, rounded.
-fn face_in(mesh: &TriMesh, frame: &Frame, corners: [u32; 3]) -> ([f64; 3], f64, [[f64; 3]; 3]) {
+pub(super) fn face_in(mesh: &TriMesh, frame: &Frame, corners: [u32; 3]) -> ([f64; 3], f64, [[f64; 3]; 3]) {
     let corners = corners.map(|v| frame.map(mesh.positions()[v as usize]));
     let [a, b, c] = corners.map(glam::DVec3::from_array);
     (((a + b + c) * (1.0 / 3.0)).to_array(), 0.5 * (b - a).cross(c - a).length(), corners)

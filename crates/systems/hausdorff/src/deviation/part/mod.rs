@@ -13,10 +13,10 @@ mod within;
 use super::area;
 use super::connected::{Entering, places};
 use super::entry::Sum;
+use super::measure::face_in;
 use super::report::DirectedDeviation;
 use super::statistics::share_of;
 use crate::report::{Enclosure, SurfacePoint};
-use glam::DVec3;
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
 use pompeiu_core::{FaceId, TriMesh};
@@ -158,8 +158,8 @@ pub fn component_shares(mesh: &TriMesh) -> Vec<f64> {
     let first = first_faces(mesh, |_| true);
     let mut areas = vec![0.0; first.len()];
     for (corners, first) in mesh.faces().iter().zip(&first) {
-        let [a, b, c] = corners.map(|v| DVec3::from_array(frame.map(mesh.positions()[v as usize])));
-        areas[*first as usize] += 0.5 * (b - a).cross(c - a).length();
+        let (_, area, _) = face_in(mesh, &frame, *corners);
+        areas[*first as usize] += area;
     }
     let total: f64 = areas.iter().sum();
     first.iter().map(|first| if total > 0.0 { areas[*first as usize] / total } else { 0.0 }).collect()
