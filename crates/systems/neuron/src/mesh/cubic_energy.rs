@@ -1,6 +1,8 @@
 //! The shape energy of tricubic cells.
 
+use super::cubic_lanes::{Coefficients, Row, cubic_costs};
 use super::energy::minimise;
+use super::energy_lanes::{LANES, Lanes, ZERO};
 use super::shape::Shape;
 use super::skin::Skin;
 use super::wall::{NearWalls, Wall};
@@ -8,9 +10,6 @@ use glam::DVec3;
 use pompeiu_core::run::Control;
 use pompeiu_volume::bernstein::{bernstein, bernstein_slopes, interpolate};
 use pompeiu_volume::slopes_at;
-
-/// Values and derivatives of the four basis functions along an axis at a parameter.
-type Row = ([f64; 4], [f64; 4]);
 
 /// The objective over the positions at thirds of tricubic cells.
 pub(super) struct CubicEnergy<'e> {
@@ -48,41 +47,42 @@ pub(super) fn lagrange_table(places: &[f64]) -> Vec<Row> {
     places.iter().map(|&t| (row(bernstein(t)), row(bernstein_slopes(t)))).collect()
 }
 
-/// Regularisation of determinants in mean ratios beside another shape, which keeps them positive.
-const EPSILON: f64 = 1e-9;
+/// What an energy keeps from one evaluation to the next.
+struct Scratch {
+    /// The gradient with respect to all positions.
+    at: Vec<DVec3>,
+    /// The parts of the wall near the positions on it, and near the points of faces.
+    near: [NearWalls; 2],
+    /// Some cells, their costs at points, and the derivatives of their sum.
+    coefficients: Box<Coefficients>,
+    values: Vec<Lanes>,
+    by_coefficient: Box<Coefficients>,
+}
 
 impl CubicEnergy<'_> {
-    /// The energy; writes its gradient with respect to the free positions to `gradient`, and to all of them to `at`.
-    fn value(
-        &self,
-        (positions, [near, near_points]): (&[DVec3], &mut [NearWalls; 2]),
-        gradient: &mut [DVec3],
-        at: &mut [DVec3],
-    ) -> f64 {
-        at.fill(DVec3::ZERO);
+    /// For evaluations with this many positions.
+    fn scratch(&self, positions: usize) -> Scratch {
+        let on_wall = self.wall.map_or(0, |(_, on_wall, _)| on_wall.len());
+        Scratch {
+            at: vec![DVec3::ZERO; positions],
+            near: [on_wall, self.skin.map_or(0, Skin::points)].map(NearWalls::new),
+            coefficients: Box::new([ZERO; 64]),
+            values: Vec::new(),
+            by_coefficient: Box::new([ZERO; 64]),
+        }
+    }
+
+    /// The energy; writes its gradient with respect to the free positions to `gradient`.
+    fn value(&self, positions: &[DVec3], gradient: &mut [DVec3], scratch: &mut Scratch) -> f64 {
+        scratch.at.fill(DVec3::ZERO);
         let mut total = 0.0;
-        let per_point = 1.0 / self.table.len().pow(3) as f64;
-        for (cell, &size) in self.cells.iter().zip(self.sizes) {
-            let points = cell.map(|v| positions[v as usize] / size);
-            let mut slopes = slopes_at(&points, self.table);
-            for columns in &mut slopes {
-                let (mut cost, mut by) = self.shape.cost(*columns);
-                if self.even > 0.0 {
-                    let (more, by_more) = Shape::MeanRatio { epsilon: EPSILON }.cost(*columns);
-                    cost += self.even * more;
-                    by.iter_mut().zip(by_more).for_each(|(by, more)| *by += more * self.even);
-                }
-                if !cost.is_finite() {
-                    return f64::INFINITY;
-                }
-                total += cost * per_point;
-                *columns = by;
-            }
-            let by_point = gather(&slopes, self.table);
-            for (&v, slope) in cell.iter().zip(by_point) {
-                at[v as usize] += slope * (per_point / size);
+        for (cells, sizes) in self.cells.chunks(LANES).zip(self.sizes.chunks(LANES)) {
+            self.add_cells((cells, sizes), positions, scratch, &mut total);
+            if !total.is_finite() {
+                return f64::INFINITY;
             }
         }
+        let Scratch { at, near: [near, near_points], .. } = scratch;
         if let Some((wall, places, weight)) = self.wall {
             wall.add_cost((places, weight), self.scale, (positions, near), &mut total, at);
         }
@@ -93,6 +93,36 @@ impl CubicEnergy<'_> {
             *g = at[v as usize];
         }
         total
+    }
+
+    /// Adds the shape energy of up to [`LANES`] cells, and its gradient with respect to all positions.
+    fn add_cells(
+        &self,
+        (cells, sizes): (&[[u32; 64]], &[f64]),
+        positions: &[DVec3],
+        scratch: &mut Scratch,
+        total: &mut f64,
+    ) {
+        let Scratch { at, coefficients, values, by_coefficient, .. } = scratch;
+        for lane in 0..LANES {
+            // Places without a cell repeat the last one.
+            let (cell, size) = (cells[lane.min(cells.len() - 1)], sizes[lane.min(cells.len() - 1)]);
+            for (coefficient, v) in coefficients.iter_mut().zip(cell) {
+                let p = positions[v as usize] / size;
+                (coefficient[0][lane], coefficient[1][lane], coefficient[2][lane]) = (p.x, p.y, p.z);
+            }
+        }
+        cubic_costs(coefficients, self.table, (self.shape, self.even), values, by_coefficient);
+        let per_point = 1.0 / self.table.len().pow(3) as f64;
+        for (lane, (cell, size)) in cells.iter().zip(sizes).enumerate() {
+            for costs in values.iter() {
+                *total += costs[lane] * per_point;
+            }
+            for (&v, slopes) in cell.iter().zip(by_coefficient.iter()) {
+                let slope = DVec3::new(slopes[0][lane], slopes[1][lane], slopes[2][lane]);
+                at[v as usize] += slope * (per_point / size);
+            }
+        }
     }
 
     /// The least scaled Jacobian at the parameters where shape is measured.
@@ -109,59 +139,57 @@ impl CubicEnergy<'_> {
 
     /// Minimises the energy over the free positions.
     pub(super) fn minimise(&self, positions: &mut [DVec3], steps: usize) -> f64 {
-        let mut scratch = vec![DVec3::ZERO; positions.len()];
-        let on_wall = self.wall.map_or(0, |(_, on_wall, _)| on_wall.len());
-        let mut near = [on_wall, self.skin.map_or(0, Skin::points)].map(NearWalls::new);
+        let mut scratch = self.scratch(positions.len());
         minimise((self.free, self.scale), positions, (steps, self.control), |positions, gradient| {
-            self.value((positions, &mut near), gradient, &mut scratch)
+            self.value(positions, gradient, &mut scratch)
         })
     }
-}
-
-/// The transpose of [`slopes_at`]: from derivatives with respect to the slopes at all points to derivatives with respect to the 64
-/// coefficients.
-fn gather(by_slope: &[[DVec3; 3]], table: &[Row]) -> [DVec3; 64] {
-    let q = table.len();
-    let mut along_v = vec![[DVec3::ZERO; 3]; 4 * q * q];
-    for (c, (value, slope)) in table.iter().enumerate() {
-        for ab in 0..q * q {
-            let [du, dv, dw] = by_slope[ab + q * q * c];
-            for k in 0..4 {
-                let sums = &mut along_v[ab + q * q * k];
-                sums[0] += dw * slope[k];
-                sums[1] += du * value[k];
-                sums[2] += dv * value[k];
-            }
-        }
-    }
-    let mut result = [DVec3::ZERO; 64];
-    let mut along_u = vec![[DVec3::ZERO; 2]; 16 * q];
-    for k in 0..4 {
-        for (b, (value, slope)) in table.iter().enumerate() {
-            for a in 0..q {
-                let [plain, du, dv] = along_v[a + q * (b + q * k)];
-                for j in 0..4 {
-                    let sums = &mut along_u[a + q * (j + 4 * k)];
-                    sums[0] += plain * value[j] + dv * slope[j];
-                    sums[1] += du * value[j];
-                }
-            }
-        }
-    }
-    for jk in 0..16 {
-        for (a, (value, slope)) in table.iter().enumerate() {
-            let [plain, du] = along_u[a + q * jk];
-            for i in 0..4 {
-                result[i + 4 * jk] += plain * value[i] + du * slope[i];
-            }
-        }
-    }
-    result
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn energies_are_sums_over_cells_and_points() {
+        let count = 11;
+        let place = |(cell, k): (u32, u32)| {
+            let [x, y, z] = [k % 4, k / 4 % 4, k / 16].map(|i| f64::from(i) / 3.0);
+            let shift = |seed: f64| 0.02 * libm::sin(seed * f64::from(64 * cell + k + 1));
+            DVec3::new(x + shift(7.1), y + shift(3.3), 1.3 * z + shift(5.7))
+        };
+        let numbers = (0..count).flat_map(|cell| (0..64).map(move |k| (cell, k)));
+        let positions: Vec<DVec3> = numbers.map(place).collect();
+        let cells: Vec<[u32; 64]> =
+            (0..count).map(|cell| std::array::from_fn(|k| 64 * cell + k as u32)).collect();
+        let sizes: Vec<f64> = (0..count).map(|cell| 0.7 + 0.1 * f64::from(cell)).collect();
+        let table = lagrange_table(&PLACES);
+        for (shape, even) in [(Shape::MeanRatio { epsilon: 0.3 }, 0.0), (Shape::Scaled { power: 2 }, 0.5)] {
+            let energy = CubicEnergy {
+                cells: &cells,
+                free: &[],
+                shape,
+                even,
+                wall: None,
+                skin: None,
+                scale: 1.0,
+                sizes: &sizes,
+                table: &table,
+                control: &Control::default(),
+            };
+            let cost = |columns: [DVec3; 3]| {
+                let more = Shape::MeanRatio { epsilon: 1e-9 }.cost(columns).0;
+                shape.cost(columns).0 + if even > 0.0 { even * more } else { 0.0 }
+            };
+            let of_cell = |(cell, size): (&[u32; 64], &f64)| -> f64 {
+                let points = cell.map(|v| positions[v as usize] / *size);
+                slopes_at(&points, &table).into_iter().map(cost).sum::<f64>() / 343.0
+            };
+            let expected: f64 = cells.iter().zip(&sizes).map(of_cell).sum();
+            let found = energy.value(&positions, &mut [], &mut energy.scratch(positions.len()));
+            assert!((found - expected).abs() < 1e-11 * expected, "{found} {expected}");
+        }
+    }
 
     #[test]
     fn gradients_are_differences() {
@@ -191,13 +219,13 @@ mod tests {
                 control,
             };
             let (mut gradient, mut other) = (vec![DVec3::ZERO; 4], vec![DVec3::ZERO; 4]);
-            let (mut scratch, mut near) = (vec![DVec3::ZERO; 64], [0, 0].map(NearWalls::new));
-            assert!(energy.value((&positions, &mut near), &mut gradient, &mut scratch).is_finite());
+            let mut scratch = energy.scratch(64);
+            assert!(energy.value(&positions, &mut gradient, &mut scratch).is_finite());
             for (k, &v) in free.iter().enumerate() {
                 for axis in 0..3 {
                     let mut at = |shift: f64| {
                         positions[v as usize][axis] += shift;
-                        let value = energy.value((&positions, &mut near), &mut other, &mut scratch);
+                        let value = energy.value(&positions, &mut other, &mut scratch);
                         positions[v as usize][axis] -= shift;
                         value
                     };

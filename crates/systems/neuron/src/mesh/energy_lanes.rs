@@ -13,12 +13,12 @@ pub(super) const LANES: usize = 8;
 
 /// A number for each cell, and a vector.
 pub(super) type Lanes = [f64; LANES];
-type Vectors = [Lanes; 3];
+pub(super) type Vectors = [Lanes; 3];
 
 /// A vector for each of the corners of the cells.
 pub(super) type Corners = [Vectors; 8];
 
-const ZERO: Vectors = [[0.0; LANES]; 3];
+pub(super) const ZERO: Vectors = [[0.0; LANES]; 3];
 
 /// The edges along each axis: their corners, in the order of the weights of [`weights`].
 const EDGES: [[[usize; 2]; 4]; 3] =
@@ -57,11 +57,7 @@ pub(super) fn costs(
         for &v in places {
             for &w in places {
                 let weights = weights([u, v, w]);
-                let point = Point::new(&edges, &weights);
-                let (cost, slopes) = match shape {
-                    Shape::MeanRatio { epsilon } => mean_ratio(&point, epsilon),
-                    Shape::Scaled { power } => scaled(&point, power),
-                };
+                let (cost, slopes) = Point::new(&edges, &weights).cost(shape);
                 values.push(cost);
                 spread(&slopes, &weights, by_corner);
             }
@@ -70,7 +66,7 @@ pub(super) fn costs(
 }
 
 /// Jacobian matrices at a point of the cells.
-struct Point {
+pub(super) struct Point {
     columns: [Vectors; 3],
     cofactors: [Vectors; 3],
     determinants: Lanes,
@@ -81,21 +77,52 @@ struct Point {
 impl Point {
     #[inline(always)]
     fn new(edges: &[[Vectors; 4]; 3], weights: &[[f64; 4]; 3]) -> Self {
-        let mut point =
-            Self { columns: [ZERO; 3], cofactors: [ZERO; 3], determinants: ZERO[0], squares: ZERO };
+        let mut point = Self::empty();
         for l in 0..LANES {
             let a = column(&edges[0], &weights[0], l);
             let b = column(&edges[1], &weights[1], l);
             let c = column(&edges[2], &weights[2], l);
-            let (u, v, w) = (cross(b, c), cross(c, a), cross(a, b));
-            set(&mut point.columns, l, [a, b, c]);
-            set(&mut point.cofactors, l, [u, v, w]);
-            point.determinants[l] = dot(a, u);
-            point.squares[0][l] = dot(a, a);
-            point.squares[1][l] = dot(b, b);
-            point.squares[2][l] = dot(c, c);
+            point.fill(l, [a, b, c]);
         }
         point
+    }
+
+    /// Those with these columns.
+    #[inline(always)]
+    pub(super) fn of_columns([a, b, c]: &[Vectors; 3]) -> Self {
+        let mut point = Self::empty();
+        for l in 0..LANES {
+            let a = [a[0][l], a[1][l], a[2][l]];
+            let b = [b[0][l], b[1][l], b[2][l]];
+            let c = [c[0][l], c[1][l], c[2][l]];
+            point.fill(l, [a, b, c]);
+        }
+        point
+    }
+
+    #[inline(always)]
+    fn empty() -> Self {
+        Self { columns: [ZERO; 3], cofactors: [ZERO; 3], determinants: ZERO[0], squares: ZERO }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, l: usize, [a, b, c]: [[f64; 3]; 3]) {
+        let (u, v, w) = (cross(b, c), cross(c, a), cross(a, b));
+        set(&mut self.columns, l, [a, b, c]);
+        set(&mut self.cofactors, l, [u, v, w]);
+        self.determinants[l] = dot(a, u);
+        self.squares[0][l] = dot(a, a);
+        self.squares[1][l] = dot(b, b);
+        self.squares[2][l] = dot(c, c);
+    }
+
+    /// The energy densities, and their derivatives with respect to the columns.
+    #[inline(always)]
+    pub(super) fn cost(&self, shape: Shape) -> (Lanes, [Vectors; 3]) {
+        match shape {
+            Shape::MeanRatio { epsilon } => mean_ratio(self, epsilon),
+            Shape::Scaled { power } => scaled(self, power),
+        }
     }
 }
 
@@ -175,18 +202,13 @@ fn mean_ratio(point: &Point, epsilon: f64) -> (Lanes, [Vectors; 3]) {
 #[inline(always)]
 fn scaled(point: &Point, power: i32) -> (Lanes, [Vectors; 3]) {
     let [squares_a, squares_b, squares_c] = &point.squares;
-    let (mut size, mut ratio) = ([0.0; LANES], [0.0; LANES]);
-    for l in 0..LANES {
-        size[l] = squares_a[l].sqrt() * squares_b[l].sqrt() * squares_c[l].sqrt();
-    }
-    for l in 0..LANES {
-        ratio[l] = size[l] / point.determinants[l];
-    }
-    let mut cost = raised(ratio, power);
+    let (mut cost, mut slopes) = ([0.0; LANES], [ZERO; 3]);
     let exponent = f64::from(power);
-    let mut slopes = [ZERO; 3];
     for l in 0..LANES {
-        let (factor, det) = (cost[l] * exponent, point.determinants[l]);
+        let det = point.determinants[l];
+        let size = squares_a[l].sqrt() * squares_b[l].sqrt() * squares_c[l].sqrt();
+        let value = raised(size / det, power);
+        let factor = value * exponent;
         let (x, y) = (&point.columns, &point.cofactors);
         let (p, q, r) = (squares_a[l], squares_b[l], squares_c[l]);
         set(
@@ -210,30 +232,22 @@ fn scaled(point: &Point, power: i32) -> (Lanes, [Vectors; 3]) {
                 ],
             ],
         );
-        let is_folded = det <= 1e-9 * size[l] || det <= 0.0;
-        cost[l] = if is_folded { f64::INFINITY } else { cost[l] };
+        let is_folded = det <= 1e-9 * size || det <= 0.0;
+        cost[l] = if is_folded { f64::INFINITY } else { value };
     }
     (cost, slopes)
 }
 
-/// A power with a positive exponent, by squarings.
+/// A power with an exponent from 1 to 15, by squarings: without a loop over them, which would go over the cells one by one.
 #[inline(always)]
-fn raised(mut base: Lanes, mut power: i32) -> Lanes {
-    let mut found = [1.0; LANES];
-    loop {
-        if power & 1 == 1 {
-            for l in 0..LANES {
-                found[l] *= base[l];
-            }
-        }
-        power /= 2;
-        if power <= 0 {
-            return found;
-        }
-        for l in 0..LANES {
-            base[l] *= base[l];
-        }
-    }
+fn raised(base: f64, power: i32) -> f64 {
+    let second = base * base;
+    let fourth = second * second;
+    let one = if power & 1 == 1 { base } else { 1.0 };
+    let two = if power & 2 == 2 { second } else { 1.0 };
+    let four = if power & 4 == 4 { fourth } else { 1.0 };
+    let eight = if power & 8 == 8 { fourth * fourth } else { 1.0 };
+    one * two * four * eight
 }
 
 #[inline(always)]
@@ -285,7 +299,7 @@ mod tests {
         let places = [0.0, 0.3, 1.0];
         let mut folded = 0;
         for shape in
-            [Shape::MeanRatio { epsilon: 0.1 }, Shape::Scaled { power: 2 }, Shape::Scaled { power: 3 }]
+            [Shape::MeanRatio { epsilon: 0.1 }, Shape::Scaled { power: 3 }, Shape::Scaled { power: 8 }]
         {
             let (mut values, mut by_corner) = (Vec::new(), [ZERO; 8]);
             costs(&corners, &places, shape, &mut values, &mut by_corner);

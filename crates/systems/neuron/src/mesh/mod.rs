@@ -15,6 +15,7 @@ mod core;
 mod cubic;
 mod cubic_energy;
 mod cubic_follow;
+mod cubic_lanes;
 mod cubic_node;
 mod cut;
 mod decide;

@@ -1,5 +1,6 @@
 //! The energy density of a cell at a point.
 
+#[cfg(test)]
 use glam::DVec3;
 
 /// The energy density of a Jacobian matrix with columns a, b, c.
@@ -7,7 +8,7 @@ use glam::DVec3;
 pub(super) enum Shape {
     /// `(|J|² / (3 χ(det)^{2/3}))^{3/2}` with `χ(d) = (d + √(d² + ε²)) / 2`: finite for folded cells.
     MeanRatio { epsilon: f64 },
-    /// `(|a| |b| |c| / det)^power`: infinite for folded cells.
+    /// `(|a| |b| |c| / det)^power`, the power from 1 to 15: infinite for folded cells.
     Scaled { power: i32 },
 }
 
@@ -17,7 +18,8 @@ impl Shape {
         Self::MeanRatio { epsilon: if least > 0.0 { 1e-9 } else { (0.1 * -least).clamp(1e-4, 0.2) } }
     }
 
-    /// The energy density and its derivatives with respect to the columns.
+    /// The energy density and its derivatives with respect to the columns, of one cell: those of many are compared with it.
+    #[cfg(test)]
     pub(super) fn cost(self, [a, b, c]: [DVec3; 3]) -> (f64, [DVec3; 3]) {
         let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
         let det = a.dot(cofactors[0]);
