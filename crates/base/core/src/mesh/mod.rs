@@ -6,6 +6,7 @@ mod edges;
 pub mod edit;
 mod error;
 mod ids;
+mod positions;
 pub mod repair;
 pub mod shapes;
 pub mod topology;
@@ -21,6 +22,7 @@ pub use edit::{
 };
 pub use error::MeshError;
 pub use ids::{FaceId, VertexId};
+pub use positions::first_at_position;
 pub use topology::{Connectivity, MeshSummary, UnionFind, area, unreferenced_vertices};
 pub use trimesh::TriMesh;
 pub use unit_factor::unit_factor;

@@ -1,9 +1,9 @@
 //! Both directions, and what they say together.
 
+use super::across::neighbours;
 use super::entry::Sum;
 use super::frame::frame_of;
 use super::grid::Ruler;
-use super::inside::neighbours;
 use super::linear::{greater, lesser};
 use super::memory;
 use super::options::DeviationOptions;
@@ -13,7 +13,7 @@ use super::pieces::are_summed;
 use super::report::{Deviation, DirectedDeviation};
 use super::run::{Pair, run};
 use super::statistics::{Percentile, StatisticsQuery, Summary, is_narrow};
-use super::unknown::unknown;
+use super::unknown::{Known, unknown};
 use crate::coarse;
 use crate::engine::Question;
 use crate::options::HausdorffOptions;
@@ -23,10 +23,19 @@ use crate::tolerance::OptionError;
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::on_threads;
+use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::time::Duration;
 
 /// Trees are not built when there is less time for each face of both meshes.
 const LEAST_TIME: Duration = Duration::from_nanos(200);
+
+fn least_time(from: &TriMesh, to: &TriMesh) -> Duration {
+    LEAST_TIME * (from.faces().len() as u32).saturating_add(to.faces().len() as u32)
+}
+
+/// Neighbours across the edges of B and of A, once a direction needs them: where the time is short none does.
+type LazySigns = OnceCell<[Option<Vec<[u32; 2]>>; 2]>;
 
 impl DeviationOptions<'_> {
     /// How far A is from B.
@@ -38,14 +47,13 @@ impl DeviationOptions<'_> {
         Ok(on_threads(self.limits.threads, || {
             let room = self.limits.memory.map(|most| memory::room(most, a, b, 0));
             let pair = PreparedPair::for_one_question(a, b);
-            let [to_b, _] = self.wants_signs(a, b);
-            self.one_direction(&pair, (Direction::AToB, [0.0, 1.0]), self.deadline(1), room, to_b.as_deref())
-                .report
+            let signs = LazySigns::default();
+            self.one_direction(&pair, (Direction::AToB, [0.0, 1.0]), self.deadline(1), room, &signs).report
         }))
     }
 
-    /// How far A and B are from each other. The first direction takes at most half of the time limit, and half of what the memory
-    /// limit leaves for pieces.
+    /// How far A and B are from each other. The first direction takes at most half of the time limit, or what a tree takes if that is more, and
+    /// half of what the memory limit leaves for pieces.
     ///
     /// # Errors
     /// [`DeviationOptions::check`].
@@ -67,16 +75,19 @@ impl DeviationOptions<'_> {
 
     fn both_directions(&self, pair: &PreparedPair<'_>) -> Deviation {
         let (half, whole) = (self.deadline(2), self.deadline(1));
+        // So much that the first direction is not left without an answer, even if the other one is.
+        let least = 2 * least_time(pair.a(), pair.b());
+        let half = half.zip(whole).map(|(half, whole)| half.max(Instant::now() + least).min(whole));
         let [a_part, b_part] = [Direction::AToB, Direction::BToA].map(|direction| pair.measured(direction));
         let (a, b) = (pair.a(), pair.b());
         let room = |from, to, held| self.limits.memory.map(|most| memory::room(most, from, to, held));
         let both = room(a_part, b, 0).zip(room(b_part, a, memory::of_report(a_part)));
         let first = both.map(|(there, back)| there.min(back) / 2);
-        let [to_b, to_a] = self.wants_signs(a, b);
+        let signs = LazySigns::default();
         let told = |direction: Direction| (direction, direction.share_of_both());
-        let there = self.one_direction(pair, told(Direction::AToB), half, first, to_b.as_deref());
+        let there = self.one_direction(pair, told(Direction::AToB), half, first, &signs);
         let rest = room(b_part, a, there.bytes() + pair.bytes());
-        let back = self.one_direction(pair, told(Direction::BToA), whole, rest, to_a.as_deref());
+        let back = self.one_direction(pair, told(Direction::BToA), whole, rest, &signs);
         let mut deviation = self.both(a, b, there, back);
         let [there, back] = [&mut deviation.a_to_b, &mut deviation.b_to_a];
         if !self.signed && (there.sides.is_none() || back.sides.is_none()) {
@@ -139,20 +150,19 @@ impl DeviationOptions<'_> {
         (direction, share): (Direction, [f64; 2]),
         deadline: Option<Instant>,
         room: Option<usize>,
-        signed: Option<&[[u32; 2]]>,
+        signs: &LazySigns,
     ) -> Outcome {
         let started = Instant::now();
         let (from, to) = (prepared.measured(direction), prepared.other(direction));
         let (frame, joint, rounding) = frame_of(from, to);
-        let faces = from.faces().len() as u32;
-        let least_time = LEAST_TIME * faces.saturating_add(to.faces().len() as u32);
-        let least_room = if are_summed(self.accuracy, from.faces().len() + to.faces().len()) {
+        let faces = from.faces().len();
+        let least_room = if are_summed(self.accuracy, faces + to.faces().len()) {
             Ruler::new(1.0, rounding, Self::floor(&frame, &joint, rounding)).bytes()
         } else {
-            Entries::size(are_packed(self.accuracy, faces as usize)) * faces as usize
+            Entries::size(are_packed(self.accuracy, faces)) * faces
         };
         let too_small = room.is_some_and(|room| room < least_room);
-        let late = deadline.is_some_and(|end| end.saturating_duration_since(started) < least_time);
+        let late = deadline.is_some_and(|end| end.saturating_duration_since(started) < least_time(from, to));
         if too_small || late {
             let stop = if too_small { StopReason::Memory } else { StopReason::Time };
             let options = HausdorffOptions::default();
@@ -160,15 +170,33 @@ impl DeviationOptions<'_> {
             let distance = coarse::bound_quickly(&question, from, to, stop);
             let distance = distance.at_most(prepared.farthest(direction));
             let floor = Self::floor(&frame, &joint, rounding);
-            return unknown(self, from, &frame, direction, floor, distance, stop);
+            let known = Known { distance, clusters: None, stop };
+            return unknown(self, from, &frame, direction, floor, known);
         }
         let target = prepared.target(direction, frame);
         let build = started.elapsed();
         let surface = target.surface(to);
-        let neighbours = (!std::ptr::eq(surface, to) && signed.is_some()).then(|| neighbours(surface));
-        let signed = neighbours.as_ref().map_or(signed, Option::as_deref);
-        let pair =
-            Pair { from, to: surface, target: &target, direction, share, prepared, deadline, room, signed };
+        let neighbours = || {
+            let both = signs.get_or_init(|| self.wants_signs(prepared.a(), prepared.b()));
+            let of_mesh = both[usize::from(direction == Direction::BToA)].as_deref()?;
+            if std::ptr::eq(surface, to) {
+                Some(Cow::Borrowed(of_mesh))
+            } else {
+                neighbours(surface).map(Cow::Owned)
+            }
+        };
+        let neighbours = &neighbours;
+        let pair = Pair {
+            from,
+            to: surface,
+            target: &target,
+            direction,
+            share,
+            prepared,
+            deadline,
+            room,
+            neighbours,
+        };
         let mut outcome = run(self, &pair);
         outcome.report.work.build = build;
         outcome

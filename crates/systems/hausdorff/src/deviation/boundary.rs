@@ -5,10 +5,10 @@
 //! length of the way, times the lengths of boundary edges divided by the squares of their distances, over 4π. Of a closed surface
 //! nothing is left of the boundary, and the number is constant.
 
-use super::connected::places;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::mesh::first_at_position;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ struct Block {
 
 impl Boundary {
     pub(super) fn new(mesh: &TriMesh, frame: &Frame) -> Self {
-        let place = places(mesh);
+        let place = first_at_position(mesh.positions());
         let mut halves: Vec<(u32, u32, i32)> = mesh
             .faces()
             .iter()

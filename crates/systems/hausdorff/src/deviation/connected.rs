@@ -1,23 +1,6 @@
 //! Which faces of a mesh are connected.
 
 use pompeiu_core::TriMesh;
-use rayon::prelude::*;
-
-/// For each vertex the least vertex at the same position.
-pub(super) fn places(mesh: &TriMesh) -> Vec<u32> {
-    // Adding zero makes both zeros one.
-    let key = |p: &[f64; 3]| p.map(|x| (x + 0.0).to_bits());
-    let mut sorted: Vec<([u64; 3], u32)> =
-        mesh.positions().par_iter().map(key).zip(0..mesh.positions().len() as u32).collect();
-    sorted.par_sort_unstable();
-    let mut place = vec![0; sorted.len()];
-    for same in sorted.chunk_by(|(one, _), (other, _)| one == other) {
-        for (_, v) in same {
-            place[*v as usize] = same[0].1;
-        }
-    }
-    place
-}
 
 /// Disjoint sets of faces, each of which knows the one of least rank.
 pub(super) struct Sets {
@@ -77,7 +60,7 @@ pub(super) struct Entering<'e> {
 }
 
 impl<'e> Entering<'e> {
-    /// `place` is that of each vertex ([`places`]).
+    /// `place` is that of each vertex ([`first_at_position`](pompeiu_core::mesh::first_at_position)).
     pub(super) fn new(mesh: &'e TriMesh, place: &'e [u32]) -> Self {
         Self { mesh, place, first_at: vec![u32::MAX; place.len()], sets: Sets::new(mesh.faces().len()) }
     }

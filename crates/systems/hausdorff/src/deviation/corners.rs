@@ -1,4 +1,4 @@
-//! What the distances of its corners alone say of a face of A: a function below the distance, without a look at B.
+//! A face of A before it is looked at, and what the distances of its corners alone say of it: a function below the distance, without a look at B.
 //!
 //! # What is proven
 //! For any point c the function `d(x)^2 - |x - c|^2` is concave, d being the distance from B: it is the least of `|x - y|^2 - |x - c|^2` over the
@@ -11,6 +11,20 @@
 //!
 //! Distances of corners are lowered by what rounding may add to them before, so what is left is the rounding of `(d - r) (d + r)` and its
 //! root, relative to a result that is no longer than d (see [`rounding`](crate::rounding)).
+
+use pompeiu_core::spatial::Slot;
+
+/// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    pub(super) corners: [[f64; 3]; 3],
+    /// Its area, rounded.
+    pub(super) area: f64,
+    /// Distances of the corners from B, rounded.
+    pub(super) distances: [f64; 3],
+    /// The faces of B nearest to them.
+    pub(super) near: [Slot; 3],
+}
 
 /// Values at the corners of a function below the distance on a face; none where it is too near for its size. No distance of a corner is
 /// less than the given one by more than `margin`.

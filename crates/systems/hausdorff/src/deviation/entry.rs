@@ -23,10 +23,10 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    /// An area in these bounds of which no more is known than what no distance exceeds.
-    pub(super) fn unknown((low, high): (f64, f64), largest: f64) -> Self {
-        let (lower, width) = ([0.0; 3], [at_least(largest, largest); 3]);
-        Self { lower, width, area: low, more: at_least(high - low, high) }
+    /// An area in these bounds whose distances lie between two ends, neither of which is negative.
+    pub(super) fn constant((low, high): (f64, f64), (nearest, farthest): (f64, f64)) -> Self {
+        let (lower, width) = between(nearest, farthest);
+        Self { lower: [lower; 3], width: [width; 3], area: low, more: at_least(high - low, high) }
     }
 
     /// A triangle of the fan of a polygon, of a face with an area in these bounds.

@@ -1,9 +1,10 @@
 //! One face of A, cut into pieces until they are as narrow as asked.
 
 use super::cells::{Cells, Limits, Rest, Task};
+use super::corners::Start;
 use super::criterion::Criterion;
 use super::envelope::{Envelope, Open, Wish};
-use super::planes::{Planes, Start};
+use super::planes::Planes;
 use super::polygon::{Outline, Piece, Polygon};
 use crate::rounding::Rounding;
 use pompeiu_core::run::Control;
@@ -92,9 +93,7 @@ impl<'c> Cutter<'c> {
         let whole = Polygon::whole(self.largest);
         let mut stopped = self.control.is_stopped();
         if stopped {
-            let near = start.near[0];
-            let polygon = self.envelope.without_looking(whole, near, start.distances);
-            self.pieces.push(Piece { polygon, near });
+            self.pieces.push(self.envelope.without_looking(start, self.largest));
             return;
         }
         if let Some(cells) = &mut self.cells {

@@ -11,7 +11,9 @@
 //! The sign of the distance by normals at edges and vertices: `baerentzen_signed_2005`. That intersections are exact, that sets of faces have
 //! winding numbers of their own, and what counts as certain under rounding are ours.
 
-use super::connected::{Sets, places};
+#[cfg(feature = "figures")]
+use super::across::neighbours;
+use super::connected::Sets;
 use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
@@ -64,35 +66,6 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Scratch {
     pub(super) workspace: Workspace,
     pub(super) found: Vec<Nearest>,
-}
-
-/// Pairs of neighbours across edges; none unless the surface is closed and oriented: each edge is passed as often one way as the other.
-pub(super) fn neighbours(mesh: &TriMesh) -> Option<Vec<[u32; 2]>> {
-    let (pairs, is_closed) = pairs(mesh, &places(mesh));
-    is_closed.then_some(pairs)
-}
-
-/// Pairs of neighbours across edges of two faces that pass them in opposite directions, and whether the surface is closed and oriented. `place` is
-/// that of each vertex ([`places`]).
-pub(super) fn pairs(mesh: &TriMesh, place: &[u32]) -> (Vec<[u32; 2]>, bool) {
-    let mut halves: Vec<(u32, u32, u32, bool)> = (mesh.faces().par_iter().enumerate())
-        .flat_map_iter(|(face, corners)| {
-            let [a, b, c] = corners.map(|v| place[v as usize]);
-            let half = move |(from, to): (u32, u32)| (from.min(to), from.max(to), face as u32, from < to);
-            [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to).map(half)
-        })
-        .collect();
-    halves.par_sort_unstable();
-    let mut pairs = Vec::with_capacity(halves.len() / 2);
-    let mut is_closed = true;
-    for edge in halves.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
-        let is_balanced = 2 * edge.iter().filter(|half| half.3).count() == edge.len();
-        is_closed &= is_balanced;
-        if let ([one, two], true) = (edge, is_balanced) {
-            pairs.push([one.2, two.2]);
-        }
-    }
-    (pairs, is_closed)
 }
 
 /// Which faces intersect others; none if many do, or if the control stops.

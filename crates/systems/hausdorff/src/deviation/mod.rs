@@ -9,6 +9,7 @@
 //!
 //! A report holds no pieces: whoever draws the surface cuts its faces again (`tessellation`).
 
+mod across;
 mod analysis;
 mod area;
 mod bands;
@@ -17,6 +18,7 @@ mod boundary;
 mod bounds;
 mod candidates;
 mod cells;
+mod clusters;
 mod compare;
 mod connected;
 mod corners;

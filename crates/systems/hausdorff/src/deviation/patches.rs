@@ -8,13 +8,14 @@
 //! # Source
 //! That the number changes along a way by an integral along the boundary is the law of Biot and Savart; patches and their bounds are ours.
 
+use super::across::pairs;
 use super::boundary::Boundary;
-use super::connected::places;
-use super::inside::{Scratch, Side, away_from, intersecting, pairs, side_of};
+use super::inside::{Scratch, Side, away_from, intersecting, side_of};
 use crate::rounding::Rounding;
 use glam::DVec3;
 use pompeiu_core::TriMesh;
 use pompeiu_core::geom::Frame;
+use pompeiu_core::mesh::first_at_position;
 use pompeiu_core::run::Control;
 use pompeiu_core::spatial::{Bvh, Nearest, Slot, Winding, WindingNumber};
 use rayon::prelude::*;
@@ -198,7 +199,7 @@ impl<'g> Ground<'g> {
         for slot in bvh.slots() {
             slot_of[bvh.face(slot).index()] = slot;
         }
-        let place = places(mesh);
+        let place = first_at_position(mesh.positions());
         let mut beside = vec![[NONE; 3]; count];
         for [one, two] in pairs(mesh, &place).0 {
             for (face, other) in [(one, two), (two, one)] {

@@ -18,7 +18,7 @@
 //! [`Scale::margin`](super::candidates::Scale) together.
 
 use super::cells::{Limits, Rest, Task};
-use super::corners;
+use super::corners::{self, Start};
 use super::envelope::{distances, unit};
 use super::lanes::{Lanes, Seen, Vectors, broadcast, from_point, inverse_length, reach, seen, times};
 use super::linear::lesser;
@@ -519,18 +519,6 @@ fn better(x: (Vectors, Lanes), y: (Vectors, Lanes)) -> (Vectors, Lanes) {
         short[l] = if y.1[l] > x.1[l] { y.1[l] } else { x.1[l] };
     }
     (rows, short)
-}
-
-/// A face of A, and what is known about it before it is looked at. Lengths are in the frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Start {
-    pub(super) corners: [[f64; 3]; 3],
-    /// Its area, rounded.
-    pub(super) area: f64,
-    /// Distances of the corners from B, rounded.
-    pub(super) distances: [f64; 3],
-    /// The faces of B nearest to them.
-    pub(super) near: [Slot; 3],
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::area;
 use super::bounds::{FaceBounds, Maximum, Precision};
-use super::connected::{Entering, places};
+use super::connected::Entering;
 use super::linear::greater;
 use super::maxima::Maxima;
 use super::statistics::length_out;
@@ -10,6 +10,7 @@ use crate::engine::Farthest;
 use crate::report::{Enclosure, Witness};
 use crate::target::Target;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::mesh::first_at_position;
 use pompeiu_core::spatial::Workspace;
 use pompeiu_core::{FaceId, TriMesh};
 use rayon::prelude::*;
@@ -95,7 +96,7 @@ fn connected(entering: &mut Entering<'_>, entered: &[(f64, u32)], first: u32) ->
 impl<'l> Peaks<'l> {
     pub(super) fn new(mesh: &'l TriMesh, target: &'l Target, maxima: Maxima<'l>) -> Self {
         let order = (0..mesh.faces().len() as u32).map(|face| (0.0, face)).collect();
-        let mut peaks = Self { mesh, target, place: places(mesh), maxima, order };
+        let mut peaks = Self { mesh, target, place: first_at_position(mesh.positions()), maxima, order };
         peaks.sort();
         peaks
     }

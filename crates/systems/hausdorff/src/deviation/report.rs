@@ -1,5 +1,8 @@
 //! What a deviation analysis answers.
 
+#[cfg(feature = "figures")]
+#[cfg(feature = "figures")]
+use super::across;
 use super::boundary::Boundary;
 #[cfg(feature = "figures")]
 use super::inside;
@@ -122,7 +125,7 @@ impl Sides {
     /// Whether a mesh is closed and oriented: then all points that can be joined without crossing it are on one side.
     #[cfg(feature = "figures")]
     pub(crate) fn are_constant_beside(mesh: &TriMesh) -> bool {
-        inside::neighbours(mesh).is_some()
+        across::neighbours(mesh).is_some()
     }
 
     /// Whether points are inside a mesh, in the unit of the mesh: by the faces nearest to them where it is closed and oriented, else by winding

@@ -1,6 +1,7 @@
 //! One direction, from meshes to report.
 
 use super::bounds::{Maximum, Precision};
+use super::clusters::Clusters;
 use super::faces;
 use super::inside::Inside;
 use super::linear::{greater, lesser};
@@ -16,7 +17,7 @@ use super::report::{DeviationWork, DirectedDeviation, Sides};
 use super::signed::{self, Signs};
 use super::statistics::{StatisticsQuery, length_out};
 use super::task::Faces;
-use super::unknown::unknown;
+use super::unknown::{Known, unknown};
 use crate::engine::{self, Ordered, Question};
 use crate::observer::{MeanSoFar, Observer, Progress};
 use crate::options::HausdorffOptions;
@@ -27,6 +28,7 @@ use crate::target::Target;
 use pompeiu_core::TriMesh;
 use pompeiu_core::run::Control;
 use pompeiu_core::run::Instant;
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -45,7 +47,7 @@ pub(super) struct Pair<'p> {
     /// Bytes that entries may take.
     pub(super) room: Option<usize>,
     /// Neighbours across the edges of the other mesh, which is closed and oriented, if inside is to be told from outside.
-    pub(super) signed: Option<&'p [[u32; 2]]>,
+    pub(super) neighbours: &'p dyn Fn() -> Option<Cow<'p, [[u32; 2]]>>,
 }
 
 /// The part of the vertices that must be no farther than what distances are compared with: a few that are far away do not matter.
@@ -64,7 +66,7 @@ const FINISHING: u32 = 2;
 
 pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let started = Instant::now();
-    let Pair { from, to, target, direction, share, prepared, deadline, room, signed } = *pair;
+    let Pair { from, to, target, direction, share, prepared, deadline, room, neighbours: across } = *pair;
     let ordered = Ordered::new(from);
     let a_box = ordered.aabb;
     let frame = *target.frame();
@@ -85,11 +87,15 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
 
     let refining = Instant::now();
     let floor = DeviationOptions::floor(&frame, &a_box.union(target.aabb()), rounding);
-    let early = Control::default().until(deadline);
+    // Where that does not do, a few points say something of each face.
+    let early = Control::default().until(deadline.map(|end| {
+        let spare = Clusters::TIME_OF_FACE * from.faces().len() as u32;
+        end.checked_sub(spare).unwrap_or(end)
+    }));
     if watched.cancelled.load(Ordering::Relaxed) {
         early.stop(StopReason::Cancelled);
     }
-    let order = if early.is_stopped() { Vec::new() } else { ordered.order };
+    let order = ordered.order;
     let ends = [distance.distance.lower(), distance.distance.upper()];
     let progress = |examined: u64, [done, left]: [u64; 2], stage: [f64; 2]| {
         let of_stage = Progress::new(direction, ends, done, left).as_stage(stage).as_stage(share);
@@ -103,9 +109,14 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
             early.stop(StopReason::Cancelled);
         }
     }
-    let Some(vertices) = prepared.vertices(direction, &order, target, &early) else {
+    let vertices =
+        if early.is_stopped() { None } else { prepared.vertices(direction, &order, target, &early) };
+    let Some(vertices) = vertices else {
         let stop = early.reason().unwrap_or(StopReason::Time);
-        let mut outcome = unknown(query, from, &frame, direction, floor, distance, stop);
+        let is_late = stop == StopReason::Time;
+        let clusters = is_late.then(|| Clusters::new(from, &frame, (bvh, rounding), &order, largest));
+        let known = Known { distance, clusters, stop };
+        let mut outcome = unknown(query, from, &frame, direction, floor, known);
         outcome.report.work.search = search;
         outcome.report.work.refine = refining.elapsed();
         return outcome;
@@ -127,7 +138,8 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
     let mean = measure::mean_distance(from, &frame, &vertices, bvh, &order, (total, moment));
     let wants_mean = wants_mean && total > 0.0;
     let usual = vertices.quantile(MOST_VERTICES);
-    let inside = signed.and_then(|neighbours| Inside::new(to, neighbours, (bvh, &frame), rounding, &control));
+    let across = if control.is_stopped() { None } else { across() };
+    let inside = across.and_then(|across| Inside::new(to, &across, (bvh, &frame), rounding, &control));
     let inside = inside.filter(|inside| query.signed || inside.is_by_faces());
     let signs = inside.and_then(|inside| Signs::new(inside, (from, to), &frame, &vertices, &control));
     let scene = Faces {

@@ -5,12 +5,12 @@
 //! with both signs. So the mean of the signed distance is hardly less narrow than that of the distance.
 
 use super::bands::Extreme;
+use super::corners::Start;
 use super::entry::{LESS, MORE, Moments};
 use super::face::Cutter;
 use super::inside::{Inside, Scratch};
 use super::linear::{greater, lesser};
 use super::measure::VertexDistances;
-use super::planes::Start;
 use super::polygon::Piece;
 use super::report::{Sides, unreferenced};
 use super::statistics::{SignedStatistics, Statistics};

@@ -2,6 +2,7 @@
 
 use super::area;
 use super::bounds::FaceBounds;
+use super::corners::Start;
 use super::criterion::Criterion;
 use super::distribution::add_part_up_to;
 use super::entry::{Entry, Moments, Sum};
@@ -9,7 +10,6 @@ use super::face::Cutter;
 use super::grid::SharedGrids;
 use super::measure::VertexDistances;
 use super::packed::Entries;
-use super::planes::Start;
 use super::polygon::Piece;
 use super::portion::Portion;
 use super::signed::{Recorded, SignedFace, Signs};

@@ -4,7 +4,9 @@ use pompeiu_core::TriMesh;
 use pompeiu_core::mesh::displace_at_random;
 use pompeiu_core::mesh::shapes::icosphere;
 use pompeiu_core::run::{Limits, Progress, RunContext};
-use pompeiu_hausdorff::{DeviationRequest, Direction, Enclosure, MeanSoFar, Observer, PreparedPair};
+use pompeiu_hausdorff::{
+    DeviationOptions, DeviationRequest, Direction, Enclosure, MeanSoFar, Observer, PreparedPair, StopReason,
+};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
@@ -81,6 +83,35 @@ fn shares_are_those_of_the_call() {
         let between = shares.iter().filter(|share| (0.1..0.35).contains(&(**share - half)));
         assert!(between.count() > 2, "{shares:?}");
         assert!(shares.iter().any(|share| share - half > 0.35), "{shares:?}");
+    }
+}
+
+/// Where cutting is ended the other faces have values between two ends, from the distances of their corners.
+#[test]
+fn faces_that_are_not_cut_have_values_by_their_corners() {
+    struct Ends;
+    impl Observer for Ends {
+        fn progress(&self, progress: &pompeiu_hausdorff::Progress) -> ControlFlow<()> {
+            if progress.share > 0.25 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+    let (a, b) = (icosphere(1.0, 5).unwrap(), icosphere(1.1, 5).unwrap());
+    let of = |observer| {
+        let options = DeviationOptions { observer, ..DeviationOptions::default() };
+        options.directed(&a, &b).unwrap()
+    };
+    let (ended, whole) = (of(Some(&Ends as &dyn Observer)), of(None));
+    assert_eq!(ended.stop, StopReason::Cancelled);
+    assert!(ended.work.looks < whole.work.looks / 2, "{} {}", ended.work.looks, whole.work.looks);
+    let mean = ended.statistics.as_ref().unwrap().mean;
+    let exact = whole.statistics.as_ref().unwrap().mean;
+    assert!(mean.gap() < 0.1 * mean.lower() && mean.gap() > 2.0 * exact.gap(), "{mean} {exact}");
+    assert!(mean.lower() <= exact.upper() && exact.lower() <= mean.upper(), "{mean} {exact}");
+    for (ended, whole) in ended.faces.iter().zip(&whole.faces) {
+        for (ended, whole) in [(ended.max, whole.max), (ended.min, whole.min), (ended.mean, whole.mean)] {
+            assert!(ended.lower() <= whole.upper() && whole.lower() <= ended.upper(), "{ended} {whole}");
+            assert!(ended.gap() < 0.1 * ended.upper(), "{ended}");
+        }
     }
 }
 

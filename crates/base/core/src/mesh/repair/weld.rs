@@ -2,6 +2,7 @@
 
 use super::parts::Parts;
 use super::{Change, RepairError};
+use crate::mesh::first_at_position;
 use std::collections::HashMap;
 
 /// Beyond this many welding lengths from the origin, neighbouring doubles are farther apart than the welding length.
@@ -9,16 +10,7 @@ const MOST_CELLS: f64 = (1_u64 << 52) as f64;
 
 /// Merges all vertices at one position into the first of them.
 pub(super) fn equal(parts: &mut Parts) -> Change {
-    // Adding zero makes −0 equal to +0.
-    let bits = |v: u32| parts.positions[v as usize].map(|x| (x + 0.0).to_bits());
-    let mut order: Vec<u32> = (0..parts.positions.len() as u32).collect();
-    order.sort_unstable_by_key(|&v| (bits(v), v));
-    let mut kept = vec![0; order.len()];
-    for same in order.chunk_by(|&a, &b| bits(a) == bits(b)) {
-        for &v in same {
-            kept[v as usize] = same[0];
-        }
-    }
+    let kept = first_at_position(&parts.positions);
     join(parts, &kept)
 }
 

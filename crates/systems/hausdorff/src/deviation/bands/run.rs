@@ -2,7 +2,7 @@
 
 use super::super::area;
 use super::super::boundary::Boundary;
-use super::super::connected::{Entering, places};
+use super::super::connected::Entering;
 use super::super::inside::Scratch;
 use super::super::linear::{greater, lesser};
 use super::super::report::{Deviation, DirectedDeviation};
@@ -19,6 +19,7 @@ use crate::prepared::PreparedPair;
 use crate::report::{Direction, Enclosure, StopReason};
 use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::mesh::first_at_position;
 use pompeiu_core::run::Instant;
 use pompeiu_core::run::{Control, Limits, on_threads};
 use pompeiu_core::spatial::morton_order;
@@ -199,7 +200,7 @@ impl Question<'_> {
                 .collect();
         }
         // Faces that touch each other and not the other surface lie on one side of it.
-        let place = places(mesh);
+        let place = first_at_position(mesh.positions());
         let mut entering = Entering::new(mesh, &place);
         let clear = |face: &u32| reaches[*face as usize].least.0 > cutting.touching;
         for face in (0..count as u32).filter(clear) {

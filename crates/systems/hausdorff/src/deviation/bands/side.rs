@@ -1,7 +1,8 @@
 //! On which side of a surface a part of another one lies as a whole.
 
+use super::super::across::neighbours;
 use super::super::boundary::Boundary;
-use super::super::inside::{Inside, Scratch, neighbours};
+use super::super::inside::{Inside, Scratch};
 use super::super::patches::Patches;
 use crate::rounding::Rounding;
 use glam::DVec3;

@@ -19,7 +19,8 @@ mod parts;
 mod view;
 
 use super::candidates::{Candidate, ESTIMATE, Scale};
-use super::polygon::{MOST_CORNERS, Polygon, Row, integral};
+use super::corners::{self, Start};
+use super::polygon::{MOST_CORNERS, Piece, Polygon, Row, integral};
 use crate::rounding::Rounding;
 use pompeiu_core::spatial::{Bvh, Slot, Workspace};
 use view::View;
@@ -121,25 +122,36 @@ impl<'b> Envelope<'b> {
         Open { polygon: *polygon, held: (self.lists.len() as u32, self.candidates.len() as u32), ..*of }
     }
 
-    /// What one face of B and the distances of the corners say about a whole face: what is left to do when time runs out.
-    pub(super) fn without_looking(
-        &mut self,
-        mut polygon: Polygon,
-        near: Slot,
-        distances: [f64; 3],
-    ) -> Polygon {
+    /// What faces of B and the distances of the corners say about a whole face: what is left to do when time runs out.
+    pub(super) fn without_looking(&mut self, start: &Start, largest: f64) -> Piece {
+        let mut polygon = Polygon::whole(largest);
         let seen = View::new(&self.scale, &polygon);
-        let upper =
-            bvh_row(self.bvh, near, &seen, 3, &mut self.workspace).map(|distance| distance + seen.margin);
         let weights = polygon.outline.weights();
-        if integral(&weights, &upper) < integral(&weights, &polygon.upper) {
-            polygon.upper = upper;
+        let mut near = start.near[0];
+        let mut least = integral(&weights, &polygon.upper);
+        for (i, slot) in start.near.into_iter().enumerate() {
+            if start.near[..i].contains(&slot) {
+                continue;
+            }
+            let upper =
+                bvh_row(self.bvh, slot, &seen, 3, &mut self.workspace).map(|distance| distance + seen.margin);
+            if integral(&weights, &upper) < least {
+                least = integral(&weights, &upper);
+                (polygon.upper, near) = (upper, slot);
+            }
         }
         // The distance changes by no more than the way from a corner.
         let way = 2.0 * seen.radius;
-        let farthest = distances.iter().fold(0.0, |d, x| if *x > d { *x } else { d });
+        let farthest = start.distances.iter().fold(0.0, |d, x| if *x > d { *x } else { d });
         polygon.lower = [farthest - way - 2.0 * seen.margin; MOST_CORNERS];
-        polygon
+        if let Some(below) = corners::below(start.corners, start.distances, self.scale.margin) {
+            let mut lower = polygon.lower;
+            lower[..3].copy_from_slice(&below);
+            if integral(&weights, &lower) > integral(&weights, &polygon.lower) {
+                polygon.lower = lower;
+            }
+        }
+        Piece { polygon, near }
     }
 
     /// Improves the functions of a piece; its list becomes a new one at the end of the lists.

@@ -11,7 +11,7 @@ mod pieces;
 mod within;
 
 use super::area;
-use super::connected::{Entering, places};
+use super::connected::Entering;
 use super::entry::Sum;
 use super::measure::face_in;
 use super::report::DirectedDeviation;
@@ -19,6 +19,7 @@ use super::statistics::share_of;
 use crate::report::{Enclosure, SurfacePoint};
 use pompeiu_core::geom::point_triangle::closest_barycentric;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::mesh::first_at_position;
 use pompeiu_core::{FaceId, TriMesh};
 
 /// Some faces of a mesh, or pieces of them.
@@ -138,7 +139,7 @@ fn left_share(of: &TriMesh, measured: &[Measured], (pieces, faces): (&TriMesh, &
 
 /// The connected parts of some faces: for each face the first face of its part, and itself for the others.
 fn first_faces(mesh: &TriMesh, of: impl Fn(u32) -> bool) -> Vec<u32> {
-    let place = places(mesh);
+    let place = first_at_position(mesh.positions());
     let count = mesh.faces().len() as u32;
     let mut entering = Entering::new(mesh, &place);
     for face in (0..count).filter(|face| of(*face)) {

@@ -16,12 +16,12 @@
 use super::Part;
 use super::pieces::{Fate, finest};
 use crate::PreparedPair;
-use crate::deviation::connected::places;
 use crate::deviation::frame_of;
 use crate::report::Direction;
 use crate::target::Target;
 use glam::DVec3;
 use pompeiu_core::geom::{Aabb, Frame};
+use pompeiu_core::mesh::first_at_position;
 use pompeiu_core::run::{Control, Limits};
 use pompeiu_core::spatial::{Bvh, Leaves, Slot, Workspace, morton_order};
 use pompeiu_core::{FaceId, TriMesh};
@@ -176,7 +176,7 @@ fn cosine(normal_of_one: DVec3, other: [[f64; 3]; 3]) -> f64 {
 
 /// The edges that belong to one face, as triangles without area; none of a closed surface.
 fn boundary(mesh: &TriMesh) -> Option<TriMesh> {
-    let place = places(mesh);
+    let place = first_at_position(mesh.positions());
     let mut edges: Vec<[u32; 2]> = mesh
         .faces()
         .iter()

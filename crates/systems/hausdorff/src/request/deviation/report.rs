@@ -63,6 +63,10 @@ const JUNK: f64 = 0.01;
 /// The outliers of both directions, before faces are renumbered.
 pub(super) fn outliers(deviation: &Deviation, pair: &PreparedPair<'_>) -> Vec<Outlier> {
     let of = |found: &DirectedDeviation| {
+        // Parts are not looked for when the time is over, and of wide enclosures little is known.
+        if found.first_stop().is_early() {
+            return None;
+        }
         let (share, others_within) = found.outlying_component(pair.measured(found.direction), JUNK)?;
         Some(Outlier { direction: found.direction, share, others_within })
     };
