@@ -10,6 +10,9 @@ const MOST_FILE = 1024 * MIB;
 /** What a search may take of it; beyond, its answer holds but is wider than asked. */
 const MOST_SEARCH = 3000 * MIB;
 const MOST_FILES = 2;
+/** Of pairs with so many faces, what this many seconds give is drawn before the whole answer is computed. */
+const MANY_FACES = 200_000;
+const FIRST_ANSWER = 0.7;
 /** Sizes that are apart by the factor of two units. */
 const FACTORS = [10, 25.4, 100, 304.8, 1000];
 
@@ -36,7 +39,7 @@ const element = (tag, attributes = {}, ...children) => {
 /** Where a program serves the page: the names of the files that it begins with. */
 const served = JSON.parse($("served").textContent);
 const engine = served ? new ServerEngine() : new WorkerEngine($("worker").textContent, bytesOf($("module").textContent));
-const state = { files: [], task: null, busy: false, found: null, form: {}, turn: 0 };
+const state = { files: [], task: null, busy: false, found: null, cameras: null, form: {}, turn: 0 };
 
 // ---- what is said
 
@@ -224,12 +227,12 @@ async function run() {
   try {
     for (const file of state.files) await ensure(file);
     const meshes = state.files.map(({ facts }) => facts.mesh);
-    if (state.task === "deviation" && !options.align) await firstInterval(meshes, options.unit ?? "");
-    const { reply } = await engine.call({ call: "ask", command: state.task, meshes, options, limits: served ? {} : { memory_limit: MOST_SEARCH } }, [], told);
+    const ask = async (limits) => (await engine.call({ call: "ask", command: state.task, meshes, options, limits: { ...(served ? {} : { memory_limit: MOST_SEARCH }), ...limits } }, [], told)).reply;
+    const first = state.task === "deviation" && !options.align ? await firstAnswer(meshes, ask, command) : null;
+    const reply = first ?? await ask({});
     state.found = { reply, command, task: state.task };
     say("Drawing");
-    const { arrays } = await engine.call({ call: "page", command_line: command });
-    state.found.html = new TextDecoder().decode(arrays[0]);
+    await show(state.found);
     showWork(false);
     showResult(performance.now() - started);
   } catch (error) {
@@ -239,10 +242,31 @@ async function run() {
   }
 }
 
-/** A coarse search first: what it proves is shown while the deviation is computed. */
-async function firstInterval(meshes, unit) {
-  const { reply } = await engine.call({ call: "ask", command: "distance", meshes, options: { tolerance: 0.01 } }, [], told);
-  showInterval(reply.answer.report.hausdorff, unit);
+/** What can be said at once while the deviation is computed: an interval, and for many faces a picture of what a short time gives. The answer, if that is whole. */
+async function firstAnswer(meshes, ask, command) {
+  const faces = state.files.reduce((sum, { facts }) => sum + facts.input.faces, 0);
+  if (faces < MANY_FACES) {
+    const { reply } = await engine.call({ call: "ask", command: "distance", meshes, options: { tolerance: 0.01 } }, [], told);
+    showInterval(reply.answer.report.hausdorff, reply.answer.request.unit ?? "");
+    return null;
+  }
+  const reply = await ask({ time_limit: FIRST_ANSWER });
+  if (reply.exit_code !== 3) return reply;
+  showInterval(reply.answer.report.distance, reply.answer.request.unit);
+  say("Drawing the first answer");
+  await show({ reply, command, task: state.task });
+  return null;
+}
+
+/** Draws what was found; a page that comes after another is seen from where that was. */
+async function show(found) {
+  const { arrays } = await engine.call({ call: "page", command_line: found.command });
+  found.html = new TextDecoder().decode(arrays[0]);
+  const frame = element("iframe", { title: "Result", sandbox: "allow-scripts allow-downloads", onload: () => {
+    if (state.cameras) frame.contentWindow.postMessage({ pompeiu: "cameras", cameras: state.cameras }, "*");
+  } });
+  frame.srcdoc = found.html;
+  $("view").replaceChildren(frame);
 }
 
 function showInterval({ lower, upper }, unit) {
@@ -253,7 +277,7 @@ function showInterval({ lower, upper }, unit) {
 // ---- results
 
 function clearResult() {
-  state.found = null;
+  [state.found, state.cameras] = [null, null];
   for (const id of ["results", "same", "interval", "failure"]) $(id).hidden = true;
   $("view").replaceChildren($("welcome") ?? "");
 }
@@ -271,9 +295,6 @@ function summary({ task, reply }) {
 
 function showResult(milliseconds) {
   const { found } = state;
-  const frame = element("iframe", { title: "Result", sandbox: "allow-scripts allow-downloads" });
-  frame.srcdoc = found.html;
-  $("view").replaceChildren(frame);
   const { report } = found.reply.answer;
   if (found.task === "deviation") showInterval(report.distance, found.reply.answer.request.unit);
   const early = found.reply.exit_code === 3 ? " It ended early: what is shown holds, but is wider than asked." : "";
@@ -336,6 +357,9 @@ function start() {
   $("cancel").addEventListener("click", () => engine.cancel());
   $("copy").addEventListener("click", () => void copyCommand());
   addEventListener("keydown", (event) => { if (event.key === "Escape" && state.busy) engine.cancel(); });
+  addEventListener("message", ({ data, source }) => {
+    if (data?.pompeiu === "cameras" && source === $("view").querySelector("iframe")?.contentWindow) state.cameras = data.cameras;
+  });
   addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("dragging"); });
   addEventListener("dragleave", (event) => { if (!event.relatedTarget) document.body.classList.remove("dragging"); });
   addEventListener("drop", (event) => { event.preventDefault(); document.body.classList.remove("dragging"); void take(event.dataTransfer.files); });

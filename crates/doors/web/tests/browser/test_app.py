@@ -1,8 +1,10 @@
 """`pompeiu app`: the program in a page with the native engine behind it."""
 
 import json
+import math
 import os
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -15,6 +17,17 @@ MESHES = ROOT / "examples/meshes"
 AXE = (Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text()
 RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"]
 ENDED = ", ".join(f"html[data-state={state}]" for state in ("done", "refused", "cancelled"))
+
+
+def torus(path, around, across, size):
+    """Writes a torus whose tube has that radius."""
+    points = ((math.tau * i / around, math.tau * j / across) for i in range(around) for j in range(across))
+    lines = [f"v {(1 + size * math.cos(v)) * math.cos(u)} {(1 + size * math.cos(v)) * math.sin(u)} {size * math.sin(v)}" for u, v in points]
+    for i in range(around):
+        for j in range(across):
+            a, b, c, d = (1 + (i + x) % around * across + (j + y) % across for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+            lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
+    path.write_text("\n".join(lines))
 
 
 class App(unittest.TestCase):
@@ -61,6 +74,33 @@ class App(unittest.TestCase):
         self.assertIsNone(program.poll(), "the page was only loaded again")
         page.close()
         self.assertEqual(program.wait(timeout=120), 0)
+
+    def test_a_first_answer_is_looked_at_while_the_whole_one_is_computed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder) / "a.obj", Path(folder) / "b.obj"]
+            for path, size in zip(files, (0.4, 0.42)):
+                torus(path, 360, 180, size)
+            _, address = self.serve(*files)
+            page = self.browser.open(address, width=1440, height=900)
+            page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
+            self.assertEqual(page.get_attribute("html", "data-state"), "working")
+            self.assertIn("H(A, B) is proven to be in [0.0", page.text_content("#interval"))
+            first = page.frames[-1]
+            self.assertIn("the time limit ran out", first.locator("body").text_content())
+            keep_picture(page, "app-first-answer")
+            first.locator("canvas").first.press("ArrowLeft")
+            first.locator("canvas").first.press("ArrowUp")
+            looking = "JSON.stringify(globalThis.pompeiu.app.cameras.map(({ looking }) => looking))"
+            turned = json.loads(first.evaluate(looking))
+            page.wait_for_selector(ENDED)
+            self.assertEqual(page.get_attribute("html", "data-state"), "done", page.text_content("#failure"))
+            page.frame_locator("iframe").locator("html[data-ready=true]").wait_for()
+            self.assertNotIn("the time limit ran out", page.frames[-1].locator("body").text_content())
+            kept = json.loads(page.frames[-1].evaluate(looking))
+            for x, y in zip(turned[0]["position"] + turned[0]["target"], kept[0]["position"] + kept[0]["target"]):
+                self.assertAlmostEqual(x, y, delta=0.01)
+            keep_picture(page, "app-whole-answer")
+            self.assertEqual(page.complaints, [])
 
     def test_a_page_whose_program_has_ended_says_so(self):
         program, address = self.serve()

@@ -77,6 +77,7 @@ export class App {
       return new SpaceCamera(space, arrays, this.view.canvas, () => this.view.invalidate());
     });
     this.view.cameras = this.cameras;
+    for (const camera of this.cameras) camera.onend = () => this.#tellCameras();
     this.scenes = this.data.scenes.map((scene) => new SceneView(this, scene, this.cameras[scene.space]));
     this.arrangement = this.data.arrangements[0];
     this.scene = this.arrangement.scenes[0];
@@ -89,6 +90,17 @@ export class App {
     });
     this.view.element.append(h("div", { class: "legends" }, this.legends.map(({ element }) => element)), this.reading.element, this.spoken);
     this.view.onframe = () => this.#move();
+  }
+
+  /** Tells the page around this one from where people look. */
+  #tellCameras() {
+    if (parent !== window) parent.postMessage({ pompeiu: "cameras", cameras: this.cameras.map(({ looking }) => looking) }, "*");
+  }
+
+  /** Looks from where another page of the same spaces was looked at. */
+  look(cameras) {
+    if (!this.view || cameras.length !== this.cameras.length) return;
+    cameras.forEach((looking, i) => { this.cameras[i].looking = looking; });
   }
 
   /** Moves streaks on; tells whether there are any. */

@@ -68,6 +68,7 @@ export class SpaceCamera {
       this.flight = null;
       this.onstart?.();
     });
+    this.controls.addEventListener("end", () => this.onend?.());
     this.home();
   }
 
@@ -136,6 +137,19 @@ export class SpaceCamera {
     this.home();
     this.camera.position.copy(direction).normalize().multiplyScalar(this.fittingAll(direction)).add(this.sphere.center);
     this.controls.update();
+  }
+
+  /** From where it is looked, and where to. */
+  get looking() {
+    return { position: this.camera.position.toArray(), target: this.controls.target.toArray() };
+  }
+
+  set looking({ position, target }) {
+    this.flight = null;
+    this.camera.position.fromArray(position);
+    this.controls.target.fromArray(target);
+    this.controls.update();
+    this.onchange();
   }
 
   /** Goes on with a flight. */
@@ -215,6 +229,7 @@ export class SpaceCamera {
     this.camera.up.copy(toUp);
     this.controls.update();
     this.onchange();
+    this.onend?.();
   }
 
   move(right, upwards) {
@@ -224,5 +239,6 @@ export class SpaceCamera {
     this.controls.target.add(by);
     this.controls.update();
     this.onchange();
+    this.onend?.();
   }
 }

@@ -6,12 +6,22 @@ import * as format from "./format.js";
 import { load } from "./load.js";
 import { failure } from "./shell.js";
 
+/** The page around this one, if there is one, may say from where to look, also before there is anything to see. */
+let app;
+let asked;
+addEventListener("message", ({ data, source }) => {
+  if (source !== parent || parent === window || data?.pompeiu !== "cameras") return;
+  asked = data.cameras;
+  app?.look(asked);
+});
+
 async function start() {
   const holder = document.getElementById("data");
   const data = JSON.parse(holder.textContent);
   // The text is large and never needed again.
   holder.remove();
-  const app = new App(data, await load(data));
+  app = new App(data, await load(data));
+  if (asked) app.look(asked);
   globalThis.pompeiu = { app, format };
   // Ready means drawn: the frame that was asked for last is on the screen.
   const drawn = () => {

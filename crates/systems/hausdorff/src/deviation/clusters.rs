@@ -2,11 +2,11 @@
 //! all vertices.
 //!
 //! # What is proven
-//! The distance from B changes by no more than the way, so on faces that reach no farther than `r` from a point it is at least the distance of that
-//! point less `r`. Above, the distance from one face of B is convex: no point of a face is farther from it than one of its corners.
+//! The distance from B changes by no more than the way, so on faces that reach no farther than `r` from a point it differs from the distance of that
+//! point by no more than `r`. Also, the distance from one face of B is convex: no point of a face is farther from it than one of its corners.
 
 use super::area;
-use super::entry::{Entry, MORE, Moments};
+use super::entry::{Entry, LESS, MORE, Moments};
 use super::linear::{greater, lesser};
 use super::packed::Entries;
 use super::portion::Portion;
@@ -130,11 +130,13 @@ impl Looking<'_> {
         }
         let nearest = self.bvh.nearest(centre, self.near, &mut self.workspace);
         self.near = nearest.slot;
-        let distance = nearest.distance_sq.sqrt() - self.margin;
+        let distance = nearest.distance_sq.sqrt();
         for face in faces {
-            let above = |p: &[f64; 3]| self.bvh.distance_sq(*p, self.near).sqrt() + self.margin;
-            let high = lesser(face.iter().map(above).fold(0.0, greater), self.largest);
-            let low = lesser(greater(distance - reach_of(face) - self.margin, 0.0), high);
+            let of_corner = |p: &[f64; 3]| self.bvh.distance_sq(*p, self.near).sqrt() + self.margin;
+            let above = face.iter().map(of_corner).fold(0.0, greater);
+            let reach = reach_of(face) + 2.0 * self.margin;
+            let high = lesser(lesser(above, (distance + reach) * MORE), self.largest);
+            let low = lesser(greater((distance - reach) * LESS, 0.0), high);
             self.faces.push((low, high));
         }
     }
