@@ -20,7 +20,7 @@ use std::time::Duration;
 /// Faces about one point: with fewer, points take as long as the vertices.
 const FACES: usize = 16;
 /// The faces about one point reach no farther from it than this many times the longest edge of one of them; else they are two clusters.
-const COMPACT: f64 = 6.0;
+const COMPACT: f64 = 2.5;
 /// Points of a task.
 const TASK: usize = 64;
 
