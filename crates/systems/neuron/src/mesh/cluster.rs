@@ -23,6 +23,12 @@ pub(super) struct Cluster {
 /// Distance of the ring of a section from all other tubes, in radii.
 const CLEAR: f64 = 0.15;
 
+/// The same at a tip that has no room for more.
+const CLEAR_AT_TIP: f64 = 0.03;
+
+/// Smallest room between a node and the tip of a tube, in radii; with less, the tube is omitted.
+const TIP_ROOM: f64 = 0.1;
+
 /// Width of the blend of the wall, over the least radius of the arms.
 const BLEND: f64 = 0.05;
 
@@ -34,23 +40,31 @@ const RING: usize = 12;
 
 impl Cluster {
     /// For each end the length along its tube at which the mesh of the node ends; `None` if the tube is too short.
-    pub(super) fn clearances(&self, tubes: &[Tube]) -> Vec<Option<f64>> {
+    pub(super) fn clearances(&self, tubes: &[Tube], is_tip: impl Fn(End) -> bool) -> Vec<Option<f64>> {
+        let least = |end: End, clear: f64, room: f64| {
+            let s = end.beside_corners(tubes, self.clearance(tubes, end, clear)?);
+            Some(s).filter(|s| s + room <= tubes[end.tube].length())
+        };
         let clearance = |&end: &End| {
-            let s = self.clearance(tubes, end)?;
-            Some(end.beside_corners(tubes, s)).filter(|s| *s <= tubes[end.tube].length())
+            if !is_tip(end) {
+                return least(end, CLEAR, 0.0);
+            }
+            let room = TIP_ROOM * end.at(tubes, tubes[end.tube].length()).1;
+            least(end, CLEAR, room).or_else(|| least(end, CLEAR_AT_TIP, room))
         };
         self.ends.iter().map(clearance).collect()
     }
 
-    fn clearance(&self, tubes: &[Tube], end: End) -> Option<f64> {
+    /// The least length along a tube from which on sections are clear of all other tubes for a radius, or to its end.
+    fn clearance(&self, tubes: &[Tube], end: End, clear: f64) -> Option<f64> {
         let length = tubes[end.tube].length();
         let (mut s, mut since) = (0.0, None);
         // No section lies within the ball of the tube's own node.
         let least = 0.8 * end.at(tubes, 0.0).1;
         while s <= length {
             let radius = end.at(tubes, s).1;
-            let clear = s >= least && self.is_clear(tubes, end, s);
-            match (clear, since) {
+            let is_clear = s >= least && self.is_clear(tubes, end, s, clear);
+            match (is_clear, since) {
                 (false, _) => since = None,
                 (true, None) => since = Some(s),
                 (true, Some(first)) if s >= first + radius => return since,
@@ -61,7 +75,7 @@ impl Cluster {
         since
     }
 
-    fn is_clear(&self, tubes: &[Tube], end: End, s: f64) -> bool {
+    fn is_clear(&self, tubes: &[Tube], end: End, s: f64, clear: f64) -> bool {
         let (centre, radius) = end.section(tubes, s);
         let axis = end.tangent(tubes, s);
         let (e1, e2) = axis.any_orthonormal_pair();
@@ -76,7 +90,7 @@ impl Cluster {
         let near: Vec<&RoundCone> = others
             .filter(|cone| {
                 let (low, high) = (cone.bounds()[0], cone.bounds()[1]);
-                centre.distance(centre.clamp(low, high)) <= (1.0 + CLEAR) * radius
+                centre.distance(centre.clamp(low, high)) <= (1.0 + clear) * radius
             })
             .collect();
         let ring = (0..RING).map(|k| {
@@ -84,8 +98,8 @@ impl Cluster {
             centre + (e1 * libm::cos(angle) + e2 * libm::sin(angle)) * radius
         });
         ring.chain([centre]).all(|p| {
-            near.iter().all(|cone| cone.distance(p).0 >= CLEAR * radius)
-                && self.balls.iter().all(|(c, r)| p.distance(*c) - r >= CLEAR * radius)
+            near.iter().all(|cone| cone.distance(p).0 >= clear * radius)
+                && self.balls.iter().all(|(c, r)| p.distance(*c) - r >= clear * radius)
         })
     }
 

@@ -14,9 +14,6 @@ const ROOM: f64 = 0.8;
 /// The same where more than two nodes would be meshed together: long clusters have no place from which all of their wall is seen.
 const LITTLE_ROOM: f64 = 0.05;
 
-/// Smallest room between a node and the tip of a tube, in radii; with less, the tube is omitted.
-const TIP_ROOM: f64 = 0.5;
-
 /// The clusters with the lengths of their arms, and the tubes between them.
 pub(super) struct Layout {
     pub(super) clusters: Vec<Cluster>,
@@ -57,6 +54,7 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64, cut: &Cut
         .filter(|&(&node, &count)| count > 1 || is_ball(skeleton, node))
         .map(|(&node, _)| node)
         .collect();
+    let is_tip = |end: End| ends[&tubes[end.tube].nodes[usize::from(end.first)]] == 1;
     let mut leader: BTreeMap<usize, usize> = nodes.iter().map(|&node| (node, node)).collect();
     let mut dropped: Vec<bool> = (0..tubes.len()).map(|tube| cut.contains(tube)).collect();
     loop {
@@ -68,7 +66,8 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64, cut: &Cut
             .into_values()
             .map(|samples| cluster(skeleton, tubes, factor, &leader, &dropped, samples))
             .collect();
-        let found: Vec<Vec<Option<f64>>> = clusters.iter().map(|cluster| cluster.clearances(tubes)).collect();
+        let found: Vec<Vec<Option<f64>>> =
+            clusters.iter().map(|cluster| cluster.clearances(tubes, is_tip)).collect();
         let mut arm_of: BTreeMap<(usize, bool), (usize, usize)> = BTreeMap::new();
         for (c, cluster) in clusters.iter().enumerate() {
             for (a, end) in cluster.ends.iter().enumerate() {
@@ -92,7 +91,7 @@ pub(super) fn layout(skeleton: &Skeleton, tubes: &[Tube], factor: f64, cut: &Cut
                         close.push((room / radius, [a, b]));
                     }
                 }
-                [Some((c, _)), None] | [None, Some((c, _))] if room < TIP_ROOM * radius => {
+                [Some((c, _)), None] | [None, Some((c, _))] if room < 0.0 => {
                     let least = shortest.entry(c).or_insert(index);
                     if tube.length() < tubes[*least].length() {
                         *least = index;

@@ -25,7 +25,7 @@ const CRUMPLED: &str = "1 2 0.00 0.00 0.00 2.00 -1\n2 2 1.12 -0.36 -1.27 2.00 1\
 const HARD: [(&str, ProblemKind, i64); 7] = [
     (CRUMPLED, ProblemKind::SharpTurn, 1),
     ("1 2 0 0 0 1 -1\n2 2 6 0 0 1 1\n3 2 0.5 0.6 0 1 2\n", ProblemKind::TooShort, 3),
-    ("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 0 0 1 2\n4 2 8 1.45 0 0.6 2\n", ProblemKind::TooShort, 4),
+    ("1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 16 0 0 1 2\n4 2 8 1.1 0 0.6 2\n", ProblemKind::TooShort, 4),
     (
         "1 2 0 0 0 1 -1\n2 2 10 0 0 1 1\n3 2 10 10 0 1 2\n4 2 5 10 0 1 3\n5 2 5 -6 0.5 1 4\n",
         ProblemKind::Overlap,

@@ -173,6 +173,23 @@ fn nodes_that_are_too_near_become_one_and_short_tips_are_told() {
 }
 
 #[test]
+fn tips_end_as_near_as_their_sections_are_clear() {
+    // Beyond a turn of 99°, and two thirds of a radius beside a trunk.
+    let turn = "1 2 0 0 0 1 -1\n2 2 8 0 0 1 1\n3 2 7.76 1.48 0 1 2\n";
+    let beside = "1 2 -12 0 0 1 -1\n2 2 0 0 0 1 1\n3 2 12 0 0 1 2\n4 2 0 1.5 0 0.9 2\n";
+    for text in [turn, beside] {
+        let skeleton = skeleton(text);
+        let options = MeshOptions::default();
+        let linear = mesh_neuron(&skeleton, &options).unwrap().report;
+        let cubic = cubic_neuron(&skeleton, &options).unwrap().report;
+        for report in [linear, cubic] {
+            assert!(report.certified && report.left_out.is_empty(), "{report:?}");
+            assert_eq!(report.wall.as_ref().unwrap().is_within(), Some(true), "{report:?}");
+        }
+    }
+}
+
+#[test]
 fn what_cannot_be_meshed_is_refused() {
     let y = star(&[([1.0, 0.0, 0.0], 1.0), ([-1.0, 1.0, 0.0], 1.0), ([-1.0, -1.0, 0.0], 1.0)], None);
     let refused = |text: &str, options: &MeshOptions<'_>| mesh_neuron(&skeleton(text), options).unwrap_err();
