@@ -175,7 +175,7 @@ fn solve(
     let scaled: Vec<[f64; PRESSURES]> =
         found.pressure.iter().map(|p| p.map(|x| x * parameters.viscosity)).collect();
     let boundary = Labelled { faces: &faces, labels: &labels };
-    let linear = linear_shares(&cells, boundary, LINEAR_PARTS, Some((&found.velocity, inlet + 1)))?;
+    let linear = linear_shares(&cells, boundary, LINEAR_PARTS, Some((&found.velocity, inlet + 1)));
     let mut flow = Flow {
         faces,
         labels,

@@ -258,7 +258,7 @@ fn finish(
         min_scaled_jacobian: proof.least,
         certified: proof.is_complete(),
         unproven: proof.places(Some(skeleton), |cell| mean(&corners.corners(corners.cells()[cell]))),
-        linear: Some(linear_shares(&mesh, Labelled { faces: &faces, labels: &labels }, LINEAR_PARTS, None)?),
+        linear: Some(linear_shares(&mesh, Labelled { faces: &faces, labels: &labels }, LINEAR_PARTS, None)),
         wall,
         left_out: parts.left_out(skeleton),
         moved: parts.moved(skeleton),

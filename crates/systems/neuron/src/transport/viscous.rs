@@ -95,7 +95,7 @@ impl FlowCells {
             Discretisation { volumes: cells.iter().map(|c| c.0).collect(), links, ends, parts: dealt };
         let field = balanced(&volumes, through, out, flow.inlet, &control)?;
         let boundary = Labelled { faces: &faces, labels: &labels };
-        let linear = linear_shares(&mesh, boundary, 1, Some((&velocity, flow.inlet + 1)))?;
+        let linear = linear_shares(&mesh, boundary, 1, Some((&velocity, flow.inlet + 1)));
         Ok(Self { mesh, faces, volumes, field, caps: flow.caps.clone(), inlet: flow.inlet, linear })
     }
 
