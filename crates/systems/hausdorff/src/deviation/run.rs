@@ -230,6 +230,9 @@ pub(super) fn run(query: &DeviationOptions<'_>, pair: &Pair<'_>) -> Outcome {
         (Vec::new(), Vec::new(), maxima.of_faces)
     };
     let of_search = Some(distance.stop).filter(|stop| stop.is_early());
+    // Of a search that was ended faces may say more.
+    let farthest = of_search.map(|_| bounds.iter().fold(0.0, |far, face| greater(far, face.max.upper)));
+    let distance = distance.at_most(farthest.map(|far| frame.length_out(far).next_up()));
     let stop = match control.reason().or(control_of_maxima.reason()).or(of_search) {
         Some(reason) => reason,
         _ if tight => StopReason::Tolerance,
