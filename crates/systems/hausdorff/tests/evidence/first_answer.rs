@@ -9,6 +9,7 @@ use pompeiu_hausdorff::{
 };
 use std::ops::ControlFlow;
 use std::sync::Mutex;
+use std::time::Duration;
 
 /// Keeps what it is told.
 #[derive(Default)]
@@ -113,6 +114,43 @@ fn faces_that_are_not_cut_have_values_by_their_corners() {
             assert!(ended.gap() < 0.1 * ended.upper(), "{ended}");
         }
     }
+}
+
+/// Wherever a time limit ends the work, what is said holds: of the largest distance, of means and percentiles, of faces and of vertices.
+#[test]
+fn what_is_said_holds_under_any_time_limit() {
+    let a = icosphere(1.0, 5).unwrap();
+    let b = displace_at_random(&icosphere(1.05, 5).unwrap(), 0.01, 7).unwrap();
+    let within = |time: Option<Duration>| {
+        let limits = Limits { time, ..Limits::default() };
+        DeviationOptions { limits, ..DeviationOptions::default() }.symmetric(&a, &b).unwrap()
+    };
+    let overlap = |x: Enclosure, y: Enclosure| x.lower() <= y.upper() && y.lower() <= x.upper();
+    let whole = within(None);
+    let mut stops = Vec::new();
+    for time in [0, 2, 8, 12, 16, 24, 40, 80].map(Duration::from_millis) {
+        let some = within(Some(time));
+        assert!(overlap(some.distance, whole.distance), "{time:?}: {} {}", some.distance, whole.distance);
+        for (some, whole) in [(&some.a_to_b, &whole.a_to_b), (&some.b_to_a, &whole.b_to_a)] {
+            stops.push((some.stop, some.work.pieces));
+            let [x, y] = [some, whole].map(|directed| directed.statistics.as_ref().unwrap());
+            assert!(overlap(x.mean, y.mean) && overlap(x.rms, y.rms), "{time:?}: {} {}", x.mean, y.mean);
+            for (x, y) in x.percentiles.iter().zip(&y.percentiles) {
+                assert!(overlap(x.distance, y.distance), "{time:?}: {} {}", x.distance, y.distance);
+            }
+            for (x, y) in some.faces.iter().zip(&whole.faces) {
+                assert!(
+                    overlap(x.max, y.max) && overlap(x.min, y.min) && overlap(x.mean, y.mean),
+                    "{time:?}"
+                );
+            }
+            let error = some.vertex_error + whole.vertex_error;
+            for (x, y) in some.vertices.iter().zip(&whole.vertices) {
+                assert!((x - y).abs() <= error, "{time:?}: {x} {y} {error}");
+            }
+        }
+    }
+    assert!(stops.iter().any(|(stop, _)| *stop == StopReason::Time), "{stops:?}");
 }
 
 /// The distances of corners alone enclose the mean within a tenth before any face is cut.
