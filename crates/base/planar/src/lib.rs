@@ -27,6 +27,7 @@
 //! ```
 
 pub mod contour;
+mod coverage;
 mod crossing;
 mod curve;
 mod distance;

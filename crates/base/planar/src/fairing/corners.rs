@@ -10,6 +10,12 @@ use std::f64::consts::PI;
 /// Curvature, per pixel, from which on a bend is sharp.
 const SHARP: f64 = 0.045;
 
+/// How many times more sharply than its ends a bend is asked to turn between them in order to be divided, each time, the curvature, per pixel, from
+/// which on that ends, and the least length of what is divided, in pixels.
+const SHARPER: f64 = 1.5;
+const SHARPEST: f64 = 0.4;
+const LEAST_DIVIDED: f64 = 2.0;
+
 /// The least turn of a corner, 20°.
 const LEAST_TURN: f64 = 0.35;
 
@@ -130,37 +136,59 @@ fn spans(frame: &Frame, start: usize, room: f64) -> Vec<(usize, usize)> {
     let n = frame.turns.len();
     let clear = Lengths::of(room).clear;
     let at = |k: usize| (start + k) % n;
-    let is_sharp = |k: usize, sign: f64| sign * frame.curvature(at(k)) > SHARP;
     let mut spans: Vec<(usize, usize)> = Vec::new();
-    let mut k = 0;
-    while k < n {
+    for (mut low, mut high) in bends(frame, (0, n), SHARP, room, &at) {
+        let mut length = [0.0; 2];
+        while low > 0 && length[0] < clear {
+            low -= 1;
+            length[0] += frame.lengths[at(low)];
+        }
+        while high + 1 < n && length[1] < clear {
+            length[1] += frame.lengths[at(high)];
+            high += 1;
+        }
+        let is_apart = spans.last().is_none_or(|(_, last)| last + 2 < low);
+        if is_apart && low > 1 && high + 2 < n {
+            spans.push((low, high));
+        }
+    }
+    spans
+}
+
+/// The first and last station of each bend from `first` up to `end` that turns one way more sharply than `sharp` and may be a corner. Two
+/// corners only some pixels from each other can become one bend that turns more sharply at both ends; where crossings are known, such a bend
+/// is divided.
+fn bends(
+    frame: &Frame,
+    (first, end): (usize, usize),
+    sharp: f64,
+    room: f64,
+    at: &impl Fn(usize) -> usize,
+) -> Vec<(usize, usize)> {
+    let is_sharp = |k: usize, sign: f64| sign * frame.curvature(at(k)) > sharp;
+    let mut found = Vec::new();
+    let mut k = first;
+    while k < end {
         let sign = frame.curvature(at(k)).signum();
-        if !is_sharp(k, sign) {
+        let from = k;
+        while k < end && is_sharp(k, sign) {
+            k += 1;
+        }
+        if k == from {
             k += 1;
             continue;
         }
-        let from = k;
-        while k + 1 < n && is_sharp(k + 1, sign) {
-            k += 1;
-        }
-        if is_corner(frame, (from, k), room, at) {
-            let (mut low, mut high, mut length) = (from, k, [0.0; 2]);
-            while low > 0 && length[0] < clear {
-                low -= 1;
-                length[0] += frame.lengths[at(low)];
-            }
-            while high + 1 < n && length[1] < clear {
-                length[1] += frame.lengths[at(high)];
-                high += 1;
-            }
-            let is_apart = spans.last().is_none_or(|(_, last)| last + 2 < low);
-            if is_apart && low > 1 && high + 2 < n {
-                spans.push((low, high));
+        let bend = (from, k - 1);
+        if is_corner(frame, bend, room, at) {
+            found.push(bend);
+        } else if room < KNOWN && sharp < SHARPEST {
+            let length: f64 = (from..k - 1).map(|k| frame.lengths[at(k)]).sum();
+            if length > LEAST_DIVIDED {
+                found.extend(bends(frame, (from, k), SHARPER * sharp, room, at));
             }
         }
-        k += 1;
     }
-    spans
+    found
 }
 
 /// Whether a bend is what a corner between straight sides becomes: no longer than smoothing makes it, and its flanks straight.

@@ -1,6 +1,7 @@
 //! The shortest closed curve between the pixels of a shape and those around it.
 
 use crate::Point;
+use crate::coverage::Crossing;
 use crate::outline::{cross, minus, signed_area};
 
 /// A segment that the curve crosses: from the pixel of the shape on one side of a crack towards the pixel on its other side.
@@ -19,16 +20,13 @@ impl Gate {
     }
 }
 
-/// How far from the crossing of a level a gate ends, in pixels: where levels say more than on which side of it a pixel is, by their rounding.
-const NEAR_LEVEL: f64 = 0.15;
-
 /// How far from a side between pixels a gate ends: a little before the centres of the pixels, so that a part of the shape one pixel wide
 /// keeps two sides.
 const REACH: f64 = 0.49;
 
 /// The gates along a closed staircase, in its order; each side of it has length 1. `crossing` is where the curve is known to cross between the
 /// centres of the pixels on the left and on the right, as a shift from their middle to the left; without one, it may cross anywhere between.
-pub(super) fn gates(staircase: &[Point], crossing: impl Fn(Point, Point) -> Option<f64>) -> Vec<Gate> {
+pub(super) fn gates(staircase: &[Point], crossing: impl Fn(Point, Point) -> Option<Crossing>) -> Vec<Gate> {
     let next = staircase.iter().cycle().skip(1);
     staircase
         .iter()
@@ -37,10 +35,11 @@ pub(super) fn gates(staircase: &[Point], crossing: impl Fn(Point, Point) -> Opti
             let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
             let normal = [a[1] - b[1], b[0] - a[0]];
             let at = |t: f64| [middle[0] + t * normal[0], middle[1] + t * normal[1]];
-            let (from, to) = crossing(at(0.5), at(-0.5)).map_or((-REACH, REACH), |t| {
-                let t = t.clamp(NEAR_LEVEL - REACH, REACH - NEAR_LEVEL);
-                (t - NEAR_LEVEL, t + NEAR_LEVEL)
-            });
+            let (from, to) =
+                crossing(at(0.5), at(-0.5)).map_or((-REACH, REACH), |Crossing { shift, room }| {
+                    let shift = shift.clamp(room - REACH, REACH - room);
+                    (shift - room, shift + room)
+                });
             Gate { left: at(to), right: at(from) }
         })
         .collect()

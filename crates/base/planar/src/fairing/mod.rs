@@ -11,6 +11,7 @@ mod relax;
 mod tighten;
 mod varied;
 
+use crate::coverage::Crossing;
 use crate::outline::{distance, dot};
 use crate::{Outline, Point, first_crossing, from_segment};
 use corners::{Bends, meeting, open, with_corners};
@@ -57,7 +58,7 @@ const ATTEMPTS: usize = 6;
 /// Some hundred solutions of a band for each pixel along the outline, and half as many for each time that bends turn out to be no corners.
 pub(crate) fn fair(
     staircase: &[Point],
-    crossing: impl Fn(Point, Point) -> Option<f64>,
+    crossing: impl Fn(Point, Point) -> Option<Crossing>,
 ) -> Option<Vec<Point>> {
     let gates = gates::gates(staircase, crossing);
     let room = gates.iter().map(|gate| 0.5 * distance(gate.left, gate.right)).fold(0.0, f64::max);

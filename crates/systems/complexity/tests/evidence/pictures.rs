@@ -173,6 +173,42 @@ fn anti_aliased_bars_and_teeth_keep_their_widths() {
 }
 
 #[test]
+fn anti_aliased_tips_and_waves_keep_their_heights() {
+    let shapes = [
+        ("star of 5", star(5, 0.25), 0.02),
+        ("star of 7", star(7, 0.5), 0.02),
+        ("star of 9", star(9, 0.65), 0.02),
+        ("14 round teeth", polar(4000, |a| 1.0 + 0.1 * (2.0 * (14.0 * a).cos()).tanh()), 0.02),
+        ("24 waves of 1.7 pixels", polar(4000, |a| 1.0 + 0.03 * (24.0 * a).cos()), 0.025),
+    ];
+    for (name, shape, most) in &shapes {
+        let expected = of(shape);
+        for degrees in [0.0, 11.0, 22.5, 37.0, 45.0] {
+            let found = of(&drawn(shape, 128, degrees, true));
+            let [a, b] = [&expected, &found].map(|m| m.global.compactness);
+            assert!((b / a - 1.0).abs() < *most, "{name}, {degrees}°: {b}, {a}");
+            assert_eq!(found.curvature.peaks, expected.curvature.peaks, "{name}, {degrees}°");
+        }
+    }
+}
+
+#[test]
+fn anti_aliased_corners_some_pixels_apart_are_two() {
+    // Teeth with tops of 5.6 pixels.
+    let gear = |i: usize| -> Point {
+        let (share, radius) = [(0.07, 0.85), (0.13, 1.0), (0.37, 1.0), (0.43, 0.85)][i % 4];
+        let angle = TAU * ((i / 4) as f64 + share) / 16.0;
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    let gear = Outline::new((0..64).map(gear).collect()).unwrap();
+    let expected = of(&gear).global.compactness;
+    for degrees in [0.0, 22.5, 45.0] {
+        let found = of(&drawn(&gear, 128, degrees, true)).global.compactness;
+        assert!((found / expected - 1.0).abs() < 0.03, "{degrees}°: {found}, {expected}");
+    }
+}
+
+#[test]
 fn ranks_are_the_same_at_twice_the_size() {
     let mut shapes = Vec::new();
     for seed in 0..8 {
