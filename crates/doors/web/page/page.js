@@ -228,7 +228,7 @@ async function run() {
     for (const file of state.files) await ensure(file);
     const meshes = state.files.map(({ facts }) => facts.mesh);
     const ask = async (limits) => (await engine.call({ call: "ask", command: state.task, meshes, options, limits: { ...(served ? {} : { memory_limit: MOST_SEARCH }), ...limits } }, [], told)).reply;
-    const first = state.task === "deviation" && !options.align ? await firstAnswer(meshes, ask, command) : null;
+    const first = state.task === "deviation" && !options.align ? await firstAnswer(meshes, options.unit ?? "", ask, command) : null;
     const reply = first ?? await ask({});
     state.found = { reply, command, task: state.task };
     say("Drawing");
@@ -243,20 +243,24 @@ async function run() {
 }
 
 /** What can be said at once while the deviation is computed: an interval, and for many faces a picture of what a short time gives. The answer, if that is whole. */
-async function firstAnswer(meshes, ask, command) {
+async function firstAnswer(meshes, unit, ask, command) {
   const faces = state.files.reduce((sum, { facts }) => sum + facts.input.faces, 0);
   if (faces < MANY_FACES) {
     const { reply } = await engine.call({ call: "ask", command: "distance", meshes, options: { tolerance: 0.01 } }, [], told);
-    showInterval(reply.answer.report.hausdorff, reply.answer.request.unit ?? "");
+    showInterval(reply.answer.report.hausdorff, unit);
     return null;
   }
   const reply = await ask({ time_limit: FIRST_ANSWER });
-  if (reply.exit_code !== 3) return reply;
-  showInterval(reply.answer.report.distance, reply.answer.request.unit);
+  const { report } = reply.answer;
+  if (!endedByTime(report) && !(report.bands && endedByTime(report.bands))) return reply;
+  showInterval(report.distance, unit);
   say("Drawing the first answer");
   await show({ reply, command, task: state.task });
   return null;
 }
+
+/** Whether the time was over before both directions were done; a verdict can be known even then. */
+const endedByTime = ({ a_to_b, b_to_a }) => [a_to_b, b_to_a].some(({ stop, search }) => stop === "time" || search?.stop === "time");
 
 /** Draws what was found; a page that comes after another is seen from where that was. */
 async function show(found) {
