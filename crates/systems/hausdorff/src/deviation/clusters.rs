@@ -46,7 +46,19 @@ impl Clusters {
         order: &[u32],
         largest: f64,
     ) -> Self {
-        let of_task = |order: &[u32]| Task::new(mesh, frame, (bvh, rounding), order, largest);
+        let of_task = |order: &[u32]| {
+            let looking = Looking {
+                mesh,
+                frame,
+                bvh,
+                margin: 2.0 * rounding.bound(0),
+                largest,
+                near: bvh.any_slot(),
+                workspace: Workspace::default(),
+                found: Vec::with_capacity(order.len()),
+            };
+            looking.task(order)
+        };
         let tasks: Vec<Task> = order.par_chunks(FACES * TASK).map(of_task).collect();
         let mut faces = vec![(0.0, largest); mesh.faces().len()];
         for (order, task) in order.chunks(FACES * TASK).zip(&tasks) {
@@ -59,60 +71,48 @@ impl Clusters {
     }
 }
 
-/// What is known of the faces of a task.
+/// What is known of the faces of a task, in their order.
 struct Task {
     portion: Portion,
     faces: Vec<(f64, f64)>,
 }
 
-impl Task {
-    fn new(
-        mesh: &TriMesh,
-        frame: &Frame,
-        (bvh, rounding): (&Bvh, Rounding),
-        order: &[u32],
-        largest: f64,
-    ) -> Self {
-        let mut looking = Looking {
-            bvh,
-            near: bvh.any_slot(),
-            workspace: Workspace::default(),
-            margin: 2.0 * rounding.bound(0),
-            largest,
-            faces: Vec::with_capacity(order.len()),
-        };
+/// Looks at the faces of a task, one cluster after the other.
+struct Looking<'l> {
+    mesh: &'l TriMesh,
+    frame: &'l Frame,
+    bvh: &'l Bvh,
+    /// What distances and mapped corners may be off by.
+    margin: f64,
+    largest: f64,
+    /// A face of B near the last cluster.
+    near: Slot,
+    workspace: Workspace,
+    /// Between which ends the distances of the faces lie.
+    found: Vec<(f64, f64)>,
+}
+
+impl Looking<'_> {
+    fn task(mut self, order: &[u32]) -> Task {
         let (mut entries, mut starts) = (Vec::new(), vec![0]);
         for cluster in order.chunks(FACES) {
-            let corners = |face: &u32| mesh.corners(FaceId(*face)).map(|p| frame.map(p));
+            let corners = |face: &u32| self.mesh.corners(FaceId(*face)).map(|p| self.frame.map(p));
             let corners: Vec<[[f64; 3]; 3]> = cluster.iter().map(corners).collect();
-            let known = looking.faces.len();
-            looking.look(&corners);
-            let (mut ends, mut size) = ((largest, 0.0), (0.0, 0.0));
-            for (face, (low, high)) in cluster.iter().zip(&looking.faces[known..]) {
+            let known = self.found.len();
+            self.look(&corners);
+            let (mut ends, mut size) = ((self.largest, 0.0), (0.0, 0.0));
+            for (face, (low, high)) in cluster.iter().zip(&self.found[known..]) {
                 ends = (lesser(ends.0, *low), greater(ends.1, *high));
-                let area = area::of_face(mesh, frame, *face);
+                let area = area::of_face(self.mesh, self.frame, *face);
                 size = (size.0 + area.0, size.1 + area.1);
             }
             entries.push(Entry::constant((size.0 / MORE_OF_SUM, size.1 * MORE_OF_SUM), ends));
             starts.push(entries.len() as u32);
         }
         let moments = Moments::of(entries.iter().copied());
-        Self { portion: Portion { entries: Entries::Full(entries), starts, moments }, faces: looking.faces }
+        Task { portion: Portion { entries: Entries::Full(entries), starts, moments }, faces: self.found }
     }
-}
 
-/// Looks at faces one cluster after the other.
-struct Looking<'l> {
-    bvh: &'l Bvh,
-    near: Slot,
-    workspace: Workspace,
-    /// What distances and mapped corners may be off by.
-    margin: f64,
-    largest: f64,
-    faces: Vec<(f64, f64)>,
-}
-
-impl Looking<'_> {
     /// Adds between which ends the distances of faces with these corners lie.
     fn look(&mut self, faces: &[[[f64; 3]; 3]]) {
         let points = faces.as_flattened();
@@ -137,7 +137,7 @@ impl Looking<'_> {
             let reach = reach_of(face) + 2.0 * self.margin;
             let high = lesser(lesser(above, (distance + reach) * MORE), self.largest);
             let low = lesser(greater((distance - reach) * LESS, 0.0), high);
-            self.faces.push((low, high));
+            self.found.push((low, high));
         }
     }
 }
